@@ -229,6 +229,23 @@ def memory_design():
     return netlist.Netlist({"left_pixel": n.leaf("input", "left_pixel", 8)}, outputs, [address, word], [memory])
 
 
+def test_choices_become_if_statements():
+    """One for all registers of a condition: VHDL-93 has no conditional assignment in a process."""
+    design = memory_design()
+    pixel = design.inputs["left_pixel"]
+    first, second, third = (netlist.Register(name, n.leaf("register", name, 8)) for name in ("b_a", "b_b", "b_c"))
+    small = n.less(pixel, n.const(9))
+    first.next, second.next = n.mux(small, pixel, n.const(1)), n.mux(small, n.const(2), pixel)
+    third.next = n.mux(n.equal(pixel, n.const(50)), n.const(3), pixel)
+    design.registers += [first, second, third]
+    design.outputs["disparity"] = n.wrap(n.add(first.value, second.value, third.value), 8)
+    text = " ".join(VhdlWriter(design, "-- choices", ENTITY).write().split())
+    shared = "b_a <= in_left_pixel; b_b <= 2; else b_a <= 1; b_b <= in_left_pixel; end if;"
+    assert f"b_a_is_less := in_left_pixel < 9; if b_a_is_less then {shared}" in text
+    assert "if in_left_pixel = 50 then b_c <= 3; else b_c <= in_left_pixel; end if;" in text
+    assert " when " not in text
+
+
 def test_reset_reaches_flags_through_a_memory():
     """The word has a flag in bit 0 and data above it: a reset must set what the flag depends on, and leave the data
     alone."""
@@ -278,7 +295,8 @@ def test_numbers_are_compared_by_their_difference_and_constants_are_not():
 
 def test_memories_become_the_cell():
     text = VhdlWriter(memory_design(), "-- memory", ENTITY).write()
-    assert re.search(r"m_memory : entity work\.line_memory\s+generic map \(depth => 8, width => 8\)", text)
+    assert re.search(r"m_memory : entity work\.line_memory\s+generic map \(depth => 8, width => 8, address_bits => 3\)", text)
+    assert "m_memory_read_address <= to_unsigned(m_address, 3);" in text
     assert "m_word <=" not in text, "the cell's read register takes its place"
 
 

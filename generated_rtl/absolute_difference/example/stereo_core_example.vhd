@@ -103,8 +103,8 @@ architecture rtl of stereo_core_example is
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_magnitude_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(1, 1));
   disparity_valid <= as_bit(map_valid and map_inside);
@@ -119,10 +119,17 @@ begin
       -- place
       place_column_is_equal := place_column = 23;
       if in_valid then
-        place_column <= 0 when place_column_is_equal or in_start_of_frame else (place_column + 1) mod 32;
+        if place_column_is_equal or in_start_of_frame then
+          place_column <= 0;
+        else
+          place_column <= (place_column + 1) mod 32;
+        end if;
       end if;
-      place_group <= 0 when in_start_of_frame and in_valid else (place_group + as_number((place_column_is_equal and
-        (place_group /= 8) and in_valid))) mod 16;
+      if in_start_of_frame and in_valid then
+        place_group <= 0;
+      else
+        place_group <= (place_group + as_number((place_column_is_equal and (place_group /= 8) and in_valid))) mod 16;
+      end if;
       -- input
       input_difference_0 <= in_left_pixel - in_right_pixel;
       input_starts <= in_start_of_frame;

@@ -103,11 +103,14 @@ architecture rtl of stereo_core_example_p2_delayed is
   signal delay_ring_read_address, delay_ring_write_address, delay_filled : natural range 0 to 7;
   signal delay_held_0 : unsigned(18 downto 0);
   signal delay_valid : boolean;
+  signal delay_held_0_memory_read_enable : boolean;
+  signal delay_held_0_memory_read_address : unsigned(2 downto 0);
+  signal delay_held_0_memory_write_address : unsigned(2 downto 0);
   signal delay_held_0_memory_write_data : unsigned(18 downto 0);
 
 begin
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
   disparity <= std_logic_vector(delay_held_0(18 downto 11) & to_unsigned((to_integer(delay_held_0(10 downto 0)) / 8), 8));
@@ -116,13 +119,16 @@ begin
   disparity_start_of_frame <= as_bit(delay_valid and (to_integer(delay_held_0(1 downto 0)) = 3));
   disparity_end_of_line <= as_bit((to_integer(delay_held_0(2 downto 2)) = 1) and delay_valid and (to_integer(delay_held_0(0 downto 0)) = 1));
 
+  delay_held_0_memory_read_enable <= true;
+  delay_held_0_memory_read_address <= to_unsigned(delay_ring_read_address, 3);
+  delay_held_0_memory_write_address <= to_unsigned(delay_ring_write_address, 3);
   delay_held_0_memory_write_data <= to_unsigned(map_magnitude_1, 8) & to_unsigned(map_magnitude_0, 8) & to_unsigned(as_number(map_end_of_line), 1) & to_unsigned(as_number(map_start_of_frame), 1) & to_unsigned(as_number(map_inside), 1);
   delay_held_0_memory : entity work.line_memory
-    generic map (depth => 6, width => 19)
+    generic map (depth => 6, width => 19, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_held_0,
-      write_address => delay_ring_write_address, write_data => delay_held_0_memory_write_data);
+      clock => clock, read_enable => delay_held_0_memory_read_enable,
+      read_address => delay_held_0_memory_read_address, read_data => delay_held_0,
+      write_address => delay_held_0_memory_write_address, write_data => delay_held_0_memory_write_data);
 
   process (clock)
     variable place_column_is_equal : boolean;
@@ -131,10 +137,17 @@ begin
       -- place
       place_column_is_equal := place_column = 23;
       if in_valid then
-        place_column <= 0 when place_column_is_equal or in_start_of_frame else (place_column + 1) mod 32;
+        if place_column_is_equal or in_start_of_frame then
+          place_column <= 0;
+        else
+          place_column <= (place_column + 1) mod 32;
+        end if;
       end if;
-      place_group <= 0 when in_start_of_frame and in_valid else (place_group + as_number((place_column_is_equal and
-        (place_group /= 4) and in_valid))) mod 8;
+      if in_start_of_frame and in_valid then
+        place_group <= 0;
+      else
+        place_group <= (place_group + as_number((place_column_is_equal and (place_group /= 4) and in_valid))) mod 8;
+      end if;
       -- input
       input_difference_0 <= (in_left_pixel mod 256) - (in_right_pixel mod 256);
       input_difference_1 <= (in_left_pixel / 256) - (in_right_pixel / 256);
@@ -149,8 +162,12 @@ begin
       map_valid <= input_valid;
       -- delay
       if map_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 5 else (delay_ring_read_address + 1) mod 8;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 5 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 8;
+        end if;
       end if;
       delay_filled <= (delay_filled + as_number((map_valid and ((not ((delay_filled / 4) = 1)) or (((delay_filled / 2)
         mod 2) = 1) or (not ((delay_filled mod 2) = 1)))))) mod 8;

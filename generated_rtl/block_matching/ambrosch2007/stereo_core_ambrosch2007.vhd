@@ -830,116 +830,182 @@ architecture rtl of stereo_core_ambrosch2007 is
   signal slice3_best_index_0_0 : natural range 0 to 99;
   signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
   signal slice3_best_tag_end_of_line : boolean;
+  signal slice3cost_signs_read_words_1_memory_read_enable : boolean;
+  signal slice3cost_signs_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_signs_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
+  signal slice3cost_signs_read_words_0_memory_read_enable : boolean;
+  signal slice3cost_signs_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_signs_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_signs_read_words_0_memory_write_data : unsigned(24 downto 0);
+  signal slice2cost_signs_read_words_1_memory_read_enable : boolean;
+  signal slice2cost_signs_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_signs_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
+  signal slice2cost_signs_read_words_0_memory_read_enable : boolean;
+  signal slice2cost_signs_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_signs_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_signs_read_words_0_memory_write_data : unsigned(24 downto 0);
+  signal slice1cost_signs_read_words_1_memory_read_enable : boolean;
+  signal slice1cost_signs_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_signs_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
+  signal slice1cost_signs_read_words_0_memory_read_enable : boolean;
+  signal slice1cost_signs_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_signs_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_signs_read_words_0_memory_write_data : unsigned(24 downto 0);
+  signal slice0cost_signs_read_words_1_memory_read_enable : boolean;
+  signal slice0cost_signs_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_signs_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_signs_read_words_1_memory_write_data : unsigned(24 downto 0);
+  signal slice0cost_signs_read_words_0_memory_read_enable : boolean;
+  signal slice0cost_signs_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_signs_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_signs_read_words_0_memory_write_data : unsigned(24 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(6 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(6 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(slice3_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(1, 1));
   disparity_valid <= as_bit(slice3_best_tag_valid and slice3_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice3_best_tag_start_of_frame and slice3_best_tag_valid and slice3_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice3_best_tag_end_of_line and slice3_best_tag_valid and slice3_best_tag_output_column);
 
+  slice3cost_signs_read_words_1_memory_read_enable <= true;
+  slice3cost_signs_read_words_1_memory_read_address <= to_unsigned(slice0cost_signs_difference_column, 9);
+  slice3cost_signs_read_words_1_memory_write_address <= to_unsigned(slice3cost_signs_write_column, 9);
   slice3cost_signs_read_words_1_memory_write_data <= to_unsigned(slice3cost_signs_write_words_1, 25);
   slice3cost_signs_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 25)
+    generic map (depth => 320, width => 25, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_signs_difference_column, read_data => slice3cost_signs_read_words_1,
-      write_address => slice3cost_signs_write_column, write_data => slice3cost_signs_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice3cost_signs_read_words_1_memory_read_enable,
+      read_address => slice3cost_signs_read_words_1_memory_read_address, read_data => slice3cost_signs_read_words_1,
+      write_address => slice3cost_signs_read_words_1_memory_write_address, write_data => slice3cost_signs_read_words_1_memory_write_data);
 
+  slice3cost_signs_read_words_0_memory_read_enable <= true;
+  slice3cost_signs_read_words_0_memory_read_address <= to_unsigned(slice0cost_signs_difference_column, 9);
+  slice3cost_signs_read_words_0_memory_write_address <= to_unsigned(slice3cost_signs_write_column, 9);
   slice3cost_signs_read_words_0_memory_write_data <= to_unsigned(slice3cost_signs_write_words_0, 25);
   slice3cost_signs_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 25)
+    generic map (depth => 320, width => 25, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_signs_difference_column, read_data => slice3cost_signs_read_words_0,
-      write_address => slice3cost_signs_write_column, write_data => slice3cost_signs_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice3cost_signs_read_words_0_memory_read_enable,
+      read_address => slice3cost_signs_read_words_0_memory_read_address, read_data => slice3cost_signs_read_words_0,
+      write_address => slice3cost_signs_read_words_0_memory_write_address, write_data => slice3cost_signs_read_words_0_memory_write_data);
 
+  slice2cost_signs_read_words_1_memory_read_enable <= true;
+  slice2cost_signs_read_words_1_memory_read_address <= to_unsigned(slice0cost_signs_next_column, 9);
+  slice2cost_signs_read_words_1_memory_write_address <= to_unsigned(slice3cost_signs_difference_column, 9);
   slice2cost_signs_read_words_1_memory_write_data <= to_unsigned(slice2cost_signs_write_words_1, 25);
   slice2cost_signs_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 25)
+    generic map (depth => 320, width => 25, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_signs_next_column, read_data => slice2cost_signs_read_words_1,
-      write_address => slice3cost_signs_difference_column, write_data => slice2cost_signs_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice2cost_signs_read_words_1_memory_read_enable,
+      read_address => slice2cost_signs_read_words_1_memory_read_address, read_data => slice2cost_signs_read_words_1,
+      write_address => slice2cost_signs_read_words_1_memory_write_address, write_data => slice2cost_signs_read_words_1_memory_write_data);
 
+  slice2cost_signs_read_words_0_memory_read_enable <= true;
+  slice2cost_signs_read_words_0_memory_read_address <= to_unsigned(slice0cost_signs_next_column, 9);
+  slice2cost_signs_read_words_0_memory_write_address <= to_unsigned(slice3cost_signs_difference_column, 9);
   slice2cost_signs_read_words_0_memory_write_data <= to_unsigned(slice2cost_signs_write_words_0, 25);
   slice2cost_signs_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 25)
+    generic map (depth => 320, width => 25, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_signs_next_column, read_data => slice2cost_signs_read_words_0,
-      write_address => slice3cost_signs_difference_column, write_data => slice2cost_signs_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice2cost_signs_read_words_0_memory_read_enable,
+      read_address => slice2cost_signs_read_words_0_memory_read_address, read_data => slice2cost_signs_read_words_0,
+      write_address => slice2cost_signs_read_words_0_memory_write_address, write_data => slice2cost_signs_read_words_0_memory_write_data);
 
+  slice1cost_signs_read_words_1_memory_read_enable <= true;
+  slice1cost_signs_read_words_1_memory_read_address <= to_unsigned(slice0cost_signs_column, 9);
+  slice1cost_signs_read_words_1_memory_write_address <= to_unsigned(slice2cost_signs_difference_column, 9);
   slice1cost_signs_read_words_1_memory_write_data <= to_unsigned(slice1cost_signs_write_words_1, 25);
   slice1cost_signs_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 25)
+    generic map (depth => 320, width => 25, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_signs_column, read_data => slice1cost_signs_read_words_1,
-      write_address => slice2cost_signs_difference_column, write_data => slice1cost_signs_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice1cost_signs_read_words_1_memory_read_enable,
+      read_address => slice1cost_signs_read_words_1_memory_read_address, read_data => slice1cost_signs_read_words_1,
+      write_address => slice1cost_signs_read_words_1_memory_write_address, write_data => slice1cost_signs_read_words_1_memory_write_data);
 
+  slice1cost_signs_read_words_0_memory_read_enable <= true;
+  slice1cost_signs_read_words_0_memory_read_address <= to_unsigned(slice0cost_signs_column, 9);
+  slice1cost_signs_read_words_0_memory_write_address <= to_unsigned(slice2cost_signs_difference_column, 9);
   slice1cost_signs_read_words_0_memory_write_data <= to_unsigned(slice1cost_signs_write_words_0, 25);
   slice1cost_signs_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 25)
+    generic map (depth => 320, width => 25, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_signs_column, read_data => slice1cost_signs_read_words_0,
-      write_address => slice2cost_signs_difference_column, write_data => slice1cost_signs_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice1cost_signs_read_words_0_memory_read_enable,
+      read_address => slice1cost_signs_read_words_0_memory_read_address, read_data => slice1cost_signs_read_words_0,
+      write_address => slice1cost_signs_read_words_0_memory_write_address, write_data => slice1cost_signs_read_words_0_memory_write_data);
 
+  slice0cost_signs_read_words_1_memory_read_enable <= true;
+  slice0cost_signs_read_words_1_memory_read_address <= to_unsigned(rows_ready_column, 9);
+  slice0cost_signs_read_words_1_memory_write_address <= to_unsigned(slice0cost_signs_write_column, 9);
   slice0cost_signs_read_words_1_memory_write_data <= to_unsigned(slice0cost_signs_write_words_1, 25);
   slice0cost_signs_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 25)
+    generic map (depth => 320, width => 25, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_ready_column, read_data => slice0cost_signs_read_words_1,
-      write_address => slice0cost_signs_write_column, write_data => slice0cost_signs_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice0cost_signs_read_words_1_memory_read_enable,
+      read_address => slice0cost_signs_read_words_1_memory_read_address, read_data => slice0cost_signs_read_words_1,
+      write_address => slice0cost_signs_read_words_1_memory_write_address, write_data => slice0cost_signs_read_words_1_memory_write_data);
 
+  slice0cost_signs_read_words_0_memory_read_enable <= true;
+  slice0cost_signs_read_words_0_memory_read_address <= to_unsigned(rows_ready_column, 9);
+  slice0cost_signs_read_words_0_memory_write_address <= to_unsigned(slice0cost_signs_write_column, 9);
   slice0cost_signs_read_words_0_memory_write_data <= to_unsigned(slice0cost_signs_write_words_0, 25);
   slice0cost_signs_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 25)
+    generic map (depth => 320, width => 25, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_ready_column, read_data => slice0cost_signs_read_words_0,
-      write_address => slice0cost_signs_write_column, write_data => slice0cost_signs_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice0cost_signs_read_words_0_memory_read_enable,
+      read_address => slice0cost_signs_read_words_0_memory_read_address, read_data => slice0cost_signs_read_words_0,
+      write_address => slice0cost_signs_read_words_0_memory_write_address, write_data => slice0cost_signs_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 16)
+    generic map (depth => 320, width => 16, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 16);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 16)
+    generic map (depth => 320, width => 16, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 7);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 7);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 100, width => 8)
+    generic map (depth => 100, width => 8, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
@@ -1343,32 +1409,61 @@ begin
       raster_place_group_is_equal := raster_place_column = 319;
       raster_place_group_is_equal_2 := raster_place_group = 239;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 15 when raster_place_group_all else 0;
-      raster_place_group_choice_2 := ((raster_place_group / 16) /= 15) and raster_place_group_is_equal and in_valid
-        when (raster_place_group mod 16) = 1 else raster_place_group_is_equal and in_valid;
+      if raster_place_group_all then
+        raster_place_group_choice := 15;
+      else
+        raster_place_group_choice := 0;
+      end if;
+      if (raster_place_group mod 16) = 1 then
+        raster_place_group_choice_2 := ((raster_place_group / 16) /= 15) and raster_place_group_is_equal and in_valid;
+      else
+        raster_place_group_choice_2 := raster_place_group_is_equal and in_valid;
+      end if;
       raster_place_group_is_equal_3 := raster_place_group = 240;
-      raster_place_group_choice_3 := 1 when raster_place_group_is_equal_3 and raster_place_next_frame else
-        (raster_place_group + 1) mod 256;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
-        raster_place_group;
+      if raster_place_group_is_equal_3 and raster_place_next_frame then
+        raster_place_group_choice_3 := 1;
+      else
+        raster_place_group_choice_3 := (raster_place_group + 1) mod 256;
+      end if;
+      if raster_place_group_choice_2 then
+        raster_place_group_choice_4 := raster_place_group_choice_3;
+      else
+        raster_place_group_choice_4 := raster_place_group;
+      end if;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 16 when in_start_of_frame and in_valid else
-        raster_place_group_choice_4;
-      raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame when
-        raster_place_group_is_equal_3 else raster_place_next_frame;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= raster_place_group_choice * 16;
+      else
+        raster_place_group <= raster_place_group_choice_4;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame;
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 512;
-        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_place_next_frame_choice else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame;
+        if raster_place_group_is_equal or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 512;
+        end if;
+        if raster_place_next_frame_choice then
+          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
+        else
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 99 else (delay_ring_read_address + 1) mod 128;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 99 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 128;
+        end if;
       end if;
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
       delay_row_inside_1_is_less := raster_place_group < 241;
@@ -1409,11 +1504,7 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
       rows_search_2 <= rows_search_rows_ready_newest_0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
       rows_reference_2 <= rows_reference_rows_ready_newest_0;
       rows_inside_2 <= rows_ready_inside_2;
       rows_tag_valid <= rows_ready_tag_valid;
@@ -1421,6 +1512,20 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 256;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_0 / 256;
+        rows_reference_1 <= rows_reference_rows_ready_words_0 / 256;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_newest_0 * 256) + (rows_search_rows_ready_words_0 /
           256);
@@ -1519,252 +1624,552 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_difference_0_0_choice := slice0shift_reference_0 when (slice0cost_signs_ready_words_0 mod 2) = 1 else
-        slice0shift_search_0_0;
-      slice0cost_difference_0_0_choice_2 := slice0shift_search_0_0 when (slice0cost_signs_ready_words_0 mod 2) = 1 else
-        slice0shift_reference_0;
+      if (slice0cost_signs_ready_words_0 mod 2) = 1 then
+        slice0cost_difference_0_0_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_0_choice := slice0shift_search_0_0;
+      end if;
+      if (slice0cost_signs_ready_words_0 mod 2) = 1 then
+        slice0cost_difference_0_0_choice_2 := slice0shift_search_0_0;
+      else
+        slice0cost_difference_0_0_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_1_value := ((slice0cost_signs_ready_words_0 / 2) mod 2) = 1;
-      slice0cost_difference_0_1_choice := slice0shift_reference_0 when slice0cost_difference_0_1_value else
-        slice0shift_search_0_1;
-      slice0cost_difference_0_1_choice_2 := slice0shift_search_0_1 when slice0cost_difference_0_1_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_1_value then
+        slice0cost_difference_0_1_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_1_choice := slice0shift_search_0_1;
+      end if;
+      if slice0cost_difference_0_1_value then
+        slice0cost_difference_0_1_choice_2 := slice0shift_search_0_1;
+      else
+        slice0cost_difference_0_1_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_2_value := ((slice0cost_signs_ready_words_0 / 4) mod 2) = 1;
-      slice0cost_difference_0_2_choice := slice0shift_reference_0 when slice0cost_difference_0_2_value else
-        slice0shift_search_0_2;
-      slice0cost_difference_0_2_choice_2 := slice0shift_search_0_2 when slice0cost_difference_0_2_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_2_value then
+        slice0cost_difference_0_2_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_2_choice := slice0shift_search_0_2;
+      end if;
+      if slice0cost_difference_0_2_value then
+        slice0cost_difference_0_2_choice_2 := slice0shift_search_0_2;
+      else
+        slice0cost_difference_0_2_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_3_value := ((slice0cost_signs_ready_words_0 / 8) mod 2) = 1;
-      slice0cost_difference_0_3_choice := slice0shift_reference_0 when slice0cost_difference_0_3_value else
-        slice0shift_search_0_3;
-      slice0cost_difference_0_3_choice_2 := slice0shift_search_0_3 when slice0cost_difference_0_3_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_3_value then
+        slice0cost_difference_0_3_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_3_choice := slice0shift_search_0_3;
+      end if;
+      if slice0cost_difference_0_3_value then
+        slice0cost_difference_0_3_choice_2 := slice0shift_search_0_3;
+      else
+        slice0cost_difference_0_3_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_4_value := ((slice0cost_signs_ready_words_0 / 16) mod 2) = 1;
-      slice0cost_difference_0_4_choice := slice0shift_reference_0 when slice0cost_difference_0_4_value else
-        slice0shift_search_0_4;
-      slice0cost_difference_0_4_choice_2 := slice0shift_search_0_4 when slice0cost_difference_0_4_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_4_value then
+        slice0cost_difference_0_4_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_4_choice := slice0shift_search_0_4;
+      end if;
+      if slice0cost_difference_0_4_value then
+        slice0cost_difference_0_4_choice_2 := slice0shift_search_0_4;
+      else
+        slice0cost_difference_0_4_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_5_value := ((slice0cost_signs_ready_words_0 / 32) mod 2) = 1;
-      slice0cost_difference_0_5_choice := slice0shift_reference_0 when slice0cost_difference_0_5_value else
-        slice0shift_search_0_5;
-      slice0cost_difference_0_5_choice_2 := slice0shift_search_0_5 when slice0cost_difference_0_5_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_5_value then
+        slice0cost_difference_0_5_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_5_choice := slice0shift_search_0_5;
+      end if;
+      if slice0cost_difference_0_5_value then
+        slice0cost_difference_0_5_choice_2 := slice0shift_search_0_5;
+      else
+        slice0cost_difference_0_5_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_6_value := ((slice0cost_signs_ready_words_0 / 64) mod 2) = 1;
-      slice0cost_difference_0_6_choice := slice0shift_reference_0 when slice0cost_difference_0_6_value else
-        slice0shift_search_0_6;
-      slice0cost_difference_0_6_choice_2 := slice0shift_search_0_6 when slice0cost_difference_0_6_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_6_value then
+        slice0cost_difference_0_6_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_6_choice := slice0shift_search_0_6;
+      end if;
+      if slice0cost_difference_0_6_value then
+        slice0cost_difference_0_6_choice_2 := slice0shift_search_0_6;
+      else
+        slice0cost_difference_0_6_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_7_value := ((slice0cost_signs_ready_words_0 / 128) mod 2) = 1;
-      slice0cost_difference_0_7_choice := slice0shift_reference_0 when slice0cost_difference_0_7_value else
-        slice0shift_search_0_7;
-      slice0cost_difference_0_7_choice_2 := slice0shift_search_0_7 when slice0cost_difference_0_7_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_7_value then
+        slice0cost_difference_0_7_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_7_choice := slice0shift_search_0_7;
+      end if;
+      if slice0cost_difference_0_7_value then
+        slice0cost_difference_0_7_choice_2 := slice0shift_search_0_7;
+      else
+        slice0cost_difference_0_7_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_8_value := ((slice0cost_signs_ready_words_0 / 256) mod 2) = 1;
-      slice0cost_difference_0_8_choice := slice0shift_reference_0 when slice0cost_difference_0_8_value else
-        slice0shift_search_0_8;
-      slice0cost_difference_0_8_choice_2 := slice0shift_search_0_8 when slice0cost_difference_0_8_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_8_value then
+        slice0cost_difference_0_8_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_8_choice := slice0shift_search_0_8;
+      end if;
+      if slice0cost_difference_0_8_value then
+        slice0cost_difference_0_8_choice_2 := slice0shift_search_0_8;
+      else
+        slice0cost_difference_0_8_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_9_value := ((slice0cost_signs_ready_words_0 / 512) mod 2) = 1;
-      slice0cost_difference_0_9_choice := slice0shift_reference_0 when slice0cost_difference_0_9_value else
-        slice0shift_search_0_9;
-      slice0cost_difference_0_9_choice_2 := slice0shift_search_0_9 when slice0cost_difference_0_9_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_9_value then
+        slice0cost_difference_0_9_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_9_choice := slice0shift_search_0_9;
+      end if;
+      if slice0cost_difference_0_9_value then
+        slice0cost_difference_0_9_choice_2 := slice0shift_search_0_9;
+      else
+        slice0cost_difference_0_9_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_10_value := ((slice0cost_signs_ready_words_0 / 1024) mod 2) = 1;
-      slice0cost_difference_0_10_choice := slice0shift_reference_0 when slice0cost_difference_0_10_value else
-        slice0shift_search_0_10;
-      slice0cost_difference_0_10_choice_2 := slice0shift_search_0_10 when slice0cost_difference_0_10_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_10_value then
+        slice0cost_difference_0_10_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_10_choice := slice0shift_search_0_10;
+      end if;
+      if slice0cost_difference_0_10_value then
+        slice0cost_difference_0_10_choice_2 := slice0shift_search_0_10;
+      else
+        slice0cost_difference_0_10_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_11_value := ((slice0cost_signs_ready_words_0 / 2048) mod 2) = 1;
-      slice0cost_difference_0_11_choice := slice0shift_reference_0 when slice0cost_difference_0_11_value else
-        slice0shift_search_0_11;
-      slice0cost_difference_0_11_choice_2 := slice0shift_search_0_11 when slice0cost_difference_0_11_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_11_value then
+        slice0cost_difference_0_11_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_11_choice := slice0shift_search_0_11;
+      end if;
+      if slice0cost_difference_0_11_value then
+        slice0cost_difference_0_11_choice_2 := slice0shift_search_0_11;
+      else
+        slice0cost_difference_0_11_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_12_value := ((slice0cost_signs_ready_words_0 / 4096) mod 2) = 1;
-      slice0cost_difference_0_12_choice := slice0shift_reference_0 when slice0cost_difference_0_12_value else
-        slice0shift_search_0_12;
-      slice0cost_difference_0_12_choice_2 := slice0shift_search_0_12 when slice0cost_difference_0_12_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_12_value then
+        slice0cost_difference_0_12_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_12_choice := slice0shift_search_0_12;
+      end if;
+      if slice0cost_difference_0_12_value then
+        slice0cost_difference_0_12_choice_2 := slice0shift_search_0_12;
+      else
+        slice0cost_difference_0_12_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_13_value := ((slice0cost_signs_ready_words_0 / 8192) mod 2) = 1;
-      slice0cost_difference_0_13_choice := slice0shift_reference_0 when slice0cost_difference_0_13_value else
-        slice0shift_search_0_13;
-      slice0cost_difference_0_13_choice_2 := slice0shift_search_0_13 when slice0cost_difference_0_13_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_13_value then
+        slice0cost_difference_0_13_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_13_choice := slice0shift_search_0_13;
+      end if;
+      if slice0cost_difference_0_13_value then
+        slice0cost_difference_0_13_choice_2 := slice0shift_search_0_13;
+      else
+        slice0cost_difference_0_13_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_14_value := ((slice0cost_signs_ready_words_0 / 16384) mod 2) = 1;
-      slice0cost_difference_0_14_choice := slice0shift_reference_0 when slice0cost_difference_0_14_value else
-        slice0shift_search_0_14;
-      slice0cost_difference_0_14_choice_2 := slice0shift_search_0_14 when slice0cost_difference_0_14_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_14_value then
+        slice0cost_difference_0_14_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_14_choice := slice0shift_search_0_14;
+      end if;
+      if slice0cost_difference_0_14_value then
+        slice0cost_difference_0_14_choice_2 := slice0shift_search_0_14;
+      else
+        slice0cost_difference_0_14_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_15_value := ((slice0cost_signs_ready_words_0 / 32768) mod 2) = 1;
-      slice0cost_difference_0_15_choice := slice0shift_reference_0 when slice0cost_difference_0_15_value else
-        slice0shift_search_0_15;
-      slice0cost_difference_0_15_choice_2 := slice0shift_search_0_15 when slice0cost_difference_0_15_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_15_value then
+        slice0cost_difference_0_15_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_15_choice := slice0shift_search_0_15;
+      end if;
+      if slice0cost_difference_0_15_value then
+        slice0cost_difference_0_15_choice_2 := slice0shift_search_0_15;
+      else
+        slice0cost_difference_0_15_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_16_value := ((slice0cost_signs_ready_words_0 / 65536) mod 2) = 1;
-      slice0cost_difference_0_16_choice := slice0shift_reference_0 when slice0cost_difference_0_16_value else
-        slice0shift_search_0_16;
-      slice0cost_difference_0_16_choice_2 := slice0shift_search_0_16 when slice0cost_difference_0_16_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_16_value then
+        slice0cost_difference_0_16_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_16_choice := slice0shift_search_0_16;
+      end if;
+      if slice0cost_difference_0_16_value then
+        slice0cost_difference_0_16_choice_2 := slice0shift_search_0_16;
+      else
+        slice0cost_difference_0_16_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_17_value := ((slice0cost_signs_ready_words_0 / 131072) mod 2) = 1;
-      slice0cost_difference_0_17_choice := slice0shift_reference_0 when slice0cost_difference_0_17_value else
-        slice0shift_search_0_17;
-      slice0cost_difference_0_17_choice_2 := slice0shift_search_0_17 when slice0cost_difference_0_17_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_17_value then
+        slice0cost_difference_0_17_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_17_choice := slice0shift_search_0_17;
+      end if;
+      if slice0cost_difference_0_17_value then
+        slice0cost_difference_0_17_choice_2 := slice0shift_search_0_17;
+      else
+        slice0cost_difference_0_17_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_18_value := ((slice0cost_signs_ready_words_0 / 262144) mod 2) = 1;
-      slice0cost_difference_0_18_choice := slice0shift_reference_0 when slice0cost_difference_0_18_value else
-        slice0shift_search_0_18;
-      slice0cost_difference_0_18_choice_2 := slice0shift_search_0_18 when slice0cost_difference_0_18_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_18_value then
+        slice0cost_difference_0_18_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_18_choice := slice0shift_search_0_18;
+      end if;
+      if slice0cost_difference_0_18_value then
+        slice0cost_difference_0_18_choice_2 := slice0shift_search_0_18;
+      else
+        slice0cost_difference_0_18_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_19_value := ((slice0cost_signs_ready_words_0 / 524288) mod 2) = 1;
-      slice0cost_difference_0_19_choice := slice0shift_reference_0 when slice0cost_difference_0_19_value else
-        slice0shift_search_0_19;
-      slice0cost_difference_0_19_choice_2 := slice0shift_search_0_19 when slice0cost_difference_0_19_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_19_value then
+        slice0cost_difference_0_19_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_19_choice := slice0shift_search_0_19;
+      end if;
+      if slice0cost_difference_0_19_value then
+        slice0cost_difference_0_19_choice_2 := slice0shift_search_0_19;
+      else
+        slice0cost_difference_0_19_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_20_value := ((slice0cost_signs_ready_words_0 / 1048576) mod 2) = 1;
-      slice0cost_difference_0_20_choice := slice0shift_reference_0 when slice0cost_difference_0_20_value else
-        slice0shift_search_0_20;
-      slice0cost_difference_0_20_choice_2 := slice0shift_search_0_20 when slice0cost_difference_0_20_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_20_value then
+        slice0cost_difference_0_20_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_20_choice := slice0shift_search_0_20;
+      end if;
+      if slice0cost_difference_0_20_value then
+        slice0cost_difference_0_20_choice_2 := slice0shift_search_0_20;
+      else
+        slice0cost_difference_0_20_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_21_value := ((slice0cost_signs_ready_words_0 / 2097152) mod 2) = 1;
-      slice0cost_difference_0_21_choice := slice0shift_reference_0 when slice0cost_difference_0_21_value else
-        slice0shift_search_0_21;
-      slice0cost_difference_0_21_choice_2 := slice0shift_search_0_21 when slice0cost_difference_0_21_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_21_value then
+        slice0cost_difference_0_21_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_21_choice := slice0shift_search_0_21;
+      end if;
+      if slice0cost_difference_0_21_value then
+        slice0cost_difference_0_21_choice_2 := slice0shift_search_0_21;
+      else
+        slice0cost_difference_0_21_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_22_value := ((slice0cost_signs_ready_words_0 / 4194304) mod 2) = 1;
-      slice0cost_difference_0_22_choice := slice0shift_reference_0 when slice0cost_difference_0_22_value else
-        slice0shift_search_0_22;
-      slice0cost_difference_0_22_choice_2 := slice0shift_search_0_22 when slice0cost_difference_0_22_value else
-        slice0shift_reference_0;
+      if slice0cost_difference_0_22_value then
+        slice0cost_difference_0_22_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_22_choice := slice0shift_search_0_22;
+      end if;
+      if slice0cost_difference_0_22_value then
+        slice0cost_difference_0_22_choice_2 := slice0shift_search_0_22;
+      else
+        slice0cost_difference_0_22_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_23_value := ((slice0cost_signs_ready_words_0 / 8388608) mod 2) = 1;
-      slice0cost_difference_0_23_choice := slice0shift_reference_0 when slice0cost_difference_0_23_value else
-        slice0shift_search_0_23;
-      slice0cost_difference_0_23_choice_2 := slice0shift_search_0_23 when slice0cost_difference_0_23_value else
-        slice0shift_reference_0;
-      slice0cost_difference_0_24_choice := slice0shift_reference_0 when (slice0cost_signs_ready_words_0 / 16777216) = 1
-        else slice0shift_search_0_24;
-      slice0cost_difference_0_24_choice_2 := slice0shift_search_0_24 when (slice0cost_signs_ready_words_0 / 16777216) =
-        1 else slice0shift_reference_0;
-      slice0cost_difference_1_0_choice := slice0shift_reference_1 when (slice0cost_signs_ready_words_1 mod 2) = 1 else
-        slice0shift_search_1_0;
-      slice0cost_difference_1_0_choice_2 := slice0shift_search_1_0 when (slice0cost_signs_ready_words_1 mod 2) = 1 else
-        slice0shift_reference_1;
+      if slice0cost_difference_0_23_value then
+        slice0cost_difference_0_23_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_23_choice := slice0shift_search_0_23;
+      end if;
+      if slice0cost_difference_0_23_value then
+        slice0cost_difference_0_23_choice_2 := slice0shift_search_0_23;
+      else
+        slice0cost_difference_0_23_choice_2 := slice0shift_reference_0;
+      end if;
+      if (slice0cost_signs_ready_words_0 / 16777216) = 1 then
+        slice0cost_difference_0_24_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_24_choice := slice0shift_search_0_24;
+      end if;
+      if (slice0cost_signs_ready_words_0 / 16777216) = 1 then
+        slice0cost_difference_0_24_choice_2 := slice0shift_search_0_24;
+      else
+        slice0cost_difference_0_24_choice_2 := slice0shift_reference_0;
+      end if;
+      if (slice0cost_signs_ready_words_1 mod 2) = 1 then
+        slice0cost_difference_1_0_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_0_choice := slice0shift_search_1_0;
+      end if;
+      if (slice0cost_signs_ready_words_1 mod 2) = 1 then
+        slice0cost_difference_1_0_choice_2 := slice0shift_search_1_0;
+      else
+        slice0cost_difference_1_0_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_1_value := ((slice0cost_signs_ready_words_1 / 2) mod 2) = 1;
-      slice0cost_difference_1_1_choice := slice0shift_reference_1 when slice0cost_difference_1_1_value else
-        slice0shift_search_1_1;
-      slice0cost_difference_1_1_choice_2 := slice0shift_search_1_1 when slice0cost_difference_1_1_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_1_value then
+        slice0cost_difference_1_1_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_1_choice := slice0shift_search_1_1;
+      end if;
+      if slice0cost_difference_1_1_value then
+        slice0cost_difference_1_1_choice_2 := slice0shift_search_1_1;
+      else
+        slice0cost_difference_1_1_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_2_value := ((slice0cost_signs_ready_words_1 / 4) mod 2) = 1;
-      slice0cost_difference_1_2_choice := slice0shift_reference_1 when slice0cost_difference_1_2_value else
-        slice0shift_search_1_2;
-      slice0cost_difference_1_2_choice_2 := slice0shift_search_1_2 when slice0cost_difference_1_2_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_2_value then
+        slice0cost_difference_1_2_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_2_choice := slice0shift_search_1_2;
+      end if;
+      if slice0cost_difference_1_2_value then
+        slice0cost_difference_1_2_choice_2 := slice0shift_search_1_2;
+      else
+        slice0cost_difference_1_2_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_3_value := ((slice0cost_signs_ready_words_1 / 8) mod 2) = 1;
-      slice0cost_difference_1_3_choice := slice0shift_reference_1 when slice0cost_difference_1_3_value else
-        slice0shift_search_1_3;
-      slice0cost_difference_1_3_choice_2 := slice0shift_search_1_3 when slice0cost_difference_1_3_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_3_value then
+        slice0cost_difference_1_3_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_3_choice := slice0shift_search_1_3;
+      end if;
+      if slice0cost_difference_1_3_value then
+        slice0cost_difference_1_3_choice_2 := slice0shift_search_1_3;
+      else
+        slice0cost_difference_1_3_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_4_value := ((slice0cost_signs_ready_words_1 / 16) mod 2) = 1;
-      slice0cost_difference_1_4_choice := slice0shift_reference_1 when slice0cost_difference_1_4_value else
-        slice0shift_search_1_4;
-      slice0cost_difference_1_4_choice_2 := slice0shift_search_1_4 when slice0cost_difference_1_4_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_4_value then
+        slice0cost_difference_1_4_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_4_choice := slice0shift_search_1_4;
+      end if;
+      if slice0cost_difference_1_4_value then
+        slice0cost_difference_1_4_choice_2 := slice0shift_search_1_4;
+      else
+        slice0cost_difference_1_4_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_5_value := ((slice0cost_signs_ready_words_1 / 32) mod 2) = 1;
-      slice0cost_difference_1_5_choice := slice0shift_reference_1 when slice0cost_difference_1_5_value else
-        slice0shift_search_1_5;
-      slice0cost_difference_1_5_choice_2 := slice0shift_search_1_5 when slice0cost_difference_1_5_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_5_value then
+        slice0cost_difference_1_5_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_5_choice := slice0shift_search_1_5;
+      end if;
+      if slice0cost_difference_1_5_value then
+        slice0cost_difference_1_5_choice_2 := slice0shift_search_1_5;
+      else
+        slice0cost_difference_1_5_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_6_value := ((slice0cost_signs_ready_words_1 / 64) mod 2) = 1;
-      slice0cost_difference_1_6_choice := slice0shift_reference_1 when slice0cost_difference_1_6_value else
-        slice0shift_search_1_6;
-      slice0cost_difference_1_6_choice_2 := slice0shift_search_1_6 when slice0cost_difference_1_6_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_6_value then
+        slice0cost_difference_1_6_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_6_choice := slice0shift_search_1_6;
+      end if;
+      if slice0cost_difference_1_6_value then
+        slice0cost_difference_1_6_choice_2 := slice0shift_search_1_6;
+      else
+        slice0cost_difference_1_6_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_7_value := ((slice0cost_signs_ready_words_1 / 128) mod 2) = 1;
-      slice0cost_difference_1_7_choice := slice0shift_reference_1 when slice0cost_difference_1_7_value else
-        slice0shift_search_1_7;
-      slice0cost_difference_1_7_choice_2 := slice0shift_search_1_7 when slice0cost_difference_1_7_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_7_value then
+        slice0cost_difference_1_7_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_7_choice := slice0shift_search_1_7;
+      end if;
+      if slice0cost_difference_1_7_value then
+        slice0cost_difference_1_7_choice_2 := slice0shift_search_1_7;
+      else
+        slice0cost_difference_1_7_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_8_value := ((slice0cost_signs_ready_words_1 / 256) mod 2) = 1;
-      slice0cost_difference_1_8_choice := slice0shift_reference_1 when slice0cost_difference_1_8_value else
-        slice0shift_search_1_8;
-      slice0cost_difference_1_8_choice_2 := slice0shift_search_1_8 when slice0cost_difference_1_8_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_8_value then
+        slice0cost_difference_1_8_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_8_choice := slice0shift_search_1_8;
+      end if;
+      if slice0cost_difference_1_8_value then
+        slice0cost_difference_1_8_choice_2 := slice0shift_search_1_8;
+      else
+        slice0cost_difference_1_8_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_9_value := ((slice0cost_signs_ready_words_1 / 512) mod 2) = 1;
-      slice0cost_difference_1_9_choice := slice0shift_reference_1 when slice0cost_difference_1_9_value else
-        slice0shift_search_1_9;
-      slice0cost_difference_1_9_choice_2 := slice0shift_search_1_9 when slice0cost_difference_1_9_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_9_value then
+        slice0cost_difference_1_9_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_9_choice := slice0shift_search_1_9;
+      end if;
+      if slice0cost_difference_1_9_value then
+        slice0cost_difference_1_9_choice_2 := slice0shift_search_1_9;
+      else
+        slice0cost_difference_1_9_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_10_value := ((slice0cost_signs_ready_words_1 / 1024) mod 2) = 1;
-      slice0cost_difference_1_10_choice := slice0shift_reference_1 when slice0cost_difference_1_10_value else
-        slice0shift_search_1_10;
-      slice0cost_difference_1_10_choice_2 := slice0shift_search_1_10 when slice0cost_difference_1_10_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_10_value then
+        slice0cost_difference_1_10_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_10_choice := slice0shift_search_1_10;
+      end if;
+      if slice0cost_difference_1_10_value then
+        slice0cost_difference_1_10_choice_2 := slice0shift_search_1_10;
+      else
+        slice0cost_difference_1_10_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_11_value := ((slice0cost_signs_ready_words_1 / 2048) mod 2) = 1;
-      slice0cost_difference_1_11_choice := slice0shift_reference_1 when slice0cost_difference_1_11_value else
-        slice0shift_search_1_11;
-      slice0cost_difference_1_11_choice_2 := slice0shift_search_1_11 when slice0cost_difference_1_11_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_11_value then
+        slice0cost_difference_1_11_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_11_choice := slice0shift_search_1_11;
+      end if;
+      if slice0cost_difference_1_11_value then
+        slice0cost_difference_1_11_choice_2 := slice0shift_search_1_11;
+      else
+        slice0cost_difference_1_11_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_12_value := ((slice0cost_signs_ready_words_1 / 4096) mod 2) = 1;
-      slice0cost_difference_1_12_choice := slice0shift_reference_1 when slice0cost_difference_1_12_value else
-        slice0shift_search_1_12;
-      slice0cost_difference_1_12_choice_2 := slice0shift_search_1_12 when slice0cost_difference_1_12_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_12_value then
+        slice0cost_difference_1_12_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_12_choice := slice0shift_search_1_12;
+      end if;
+      if slice0cost_difference_1_12_value then
+        slice0cost_difference_1_12_choice_2 := slice0shift_search_1_12;
+      else
+        slice0cost_difference_1_12_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_13_value := ((slice0cost_signs_ready_words_1 / 8192) mod 2) = 1;
-      slice0cost_difference_1_13_choice := slice0shift_reference_1 when slice0cost_difference_1_13_value else
-        slice0shift_search_1_13;
-      slice0cost_difference_1_13_choice_2 := slice0shift_search_1_13 when slice0cost_difference_1_13_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_13_value then
+        slice0cost_difference_1_13_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_13_choice := slice0shift_search_1_13;
+      end if;
+      if slice0cost_difference_1_13_value then
+        slice0cost_difference_1_13_choice_2 := slice0shift_search_1_13;
+      else
+        slice0cost_difference_1_13_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_14_value := ((slice0cost_signs_ready_words_1 / 16384) mod 2) = 1;
-      slice0cost_difference_1_14_choice := slice0shift_reference_1 when slice0cost_difference_1_14_value else
-        slice0shift_search_1_14;
-      slice0cost_difference_1_14_choice_2 := slice0shift_search_1_14 when slice0cost_difference_1_14_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_14_value then
+        slice0cost_difference_1_14_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_14_choice := slice0shift_search_1_14;
+      end if;
+      if slice0cost_difference_1_14_value then
+        slice0cost_difference_1_14_choice_2 := slice0shift_search_1_14;
+      else
+        slice0cost_difference_1_14_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_15_value := ((slice0cost_signs_ready_words_1 / 32768) mod 2) = 1;
-      slice0cost_difference_1_15_choice := slice0shift_reference_1 when slice0cost_difference_1_15_value else
-        slice0shift_search_1_15;
-      slice0cost_difference_1_15_choice_2 := slice0shift_search_1_15 when slice0cost_difference_1_15_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_15_value then
+        slice0cost_difference_1_15_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_15_choice := slice0shift_search_1_15;
+      end if;
+      if slice0cost_difference_1_15_value then
+        slice0cost_difference_1_15_choice_2 := slice0shift_search_1_15;
+      else
+        slice0cost_difference_1_15_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_16_value := ((slice0cost_signs_ready_words_1 / 65536) mod 2) = 1;
-      slice0cost_difference_1_16_choice := slice0shift_reference_1 when slice0cost_difference_1_16_value else
-        slice0shift_search_1_16;
-      slice0cost_difference_1_16_choice_2 := slice0shift_search_1_16 when slice0cost_difference_1_16_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_16_value then
+        slice0cost_difference_1_16_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_16_choice := slice0shift_search_1_16;
+      end if;
+      if slice0cost_difference_1_16_value then
+        slice0cost_difference_1_16_choice_2 := slice0shift_search_1_16;
+      else
+        slice0cost_difference_1_16_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_17_value := ((slice0cost_signs_ready_words_1 / 131072) mod 2) = 1;
-      slice0cost_difference_1_17_choice := slice0shift_reference_1 when slice0cost_difference_1_17_value else
-        slice0shift_search_1_17;
-      slice0cost_difference_1_17_choice_2 := slice0shift_search_1_17 when slice0cost_difference_1_17_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_17_value then
+        slice0cost_difference_1_17_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_17_choice := slice0shift_search_1_17;
+      end if;
+      if slice0cost_difference_1_17_value then
+        slice0cost_difference_1_17_choice_2 := slice0shift_search_1_17;
+      else
+        slice0cost_difference_1_17_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_18_value := ((slice0cost_signs_ready_words_1 / 262144) mod 2) = 1;
-      slice0cost_difference_1_18_choice := slice0shift_reference_1 when slice0cost_difference_1_18_value else
-        slice0shift_search_1_18;
-      slice0cost_difference_1_18_choice_2 := slice0shift_search_1_18 when slice0cost_difference_1_18_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_18_value then
+        slice0cost_difference_1_18_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_18_choice := slice0shift_search_1_18;
+      end if;
+      if slice0cost_difference_1_18_value then
+        slice0cost_difference_1_18_choice_2 := slice0shift_search_1_18;
+      else
+        slice0cost_difference_1_18_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_19_value := ((slice0cost_signs_ready_words_1 / 524288) mod 2) = 1;
-      slice0cost_difference_1_19_choice := slice0shift_reference_1 when slice0cost_difference_1_19_value else
-        slice0shift_search_1_19;
-      slice0cost_difference_1_19_choice_2 := slice0shift_search_1_19 when slice0cost_difference_1_19_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_19_value then
+        slice0cost_difference_1_19_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_19_choice := slice0shift_search_1_19;
+      end if;
+      if slice0cost_difference_1_19_value then
+        slice0cost_difference_1_19_choice_2 := slice0shift_search_1_19;
+      else
+        slice0cost_difference_1_19_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_20_value := ((slice0cost_signs_ready_words_1 / 1048576) mod 2) = 1;
-      slice0cost_difference_1_20_choice := slice0shift_reference_1 when slice0cost_difference_1_20_value else
-        slice0shift_search_1_20;
-      slice0cost_difference_1_20_choice_2 := slice0shift_search_1_20 when slice0cost_difference_1_20_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_20_value then
+        slice0cost_difference_1_20_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_20_choice := slice0shift_search_1_20;
+      end if;
+      if slice0cost_difference_1_20_value then
+        slice0cost_difference_1_20_choice_2 := slice0shift_search_1_20;
+      else
+        slice0cost_difference_1_20_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_21_value := ((slice0cost_signs_ready_words_1 / 2097152) mod 2) = 1;
-      slice0cost_difference_1_21_choice := slice0shift_reference_1 when slice0cost_difference_1_21_value else
-        slice0shift_search_1_21;
-      slice0cost_difference_1_21_choice_2 := slice0shift_search_1_21 when slice0cost_difference_1_21_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_21_value then
+        slice0cost_difference_1_21_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_21_choice := slice0shift_search_1_21;
+      end if;
+      if slice0cost_difference_1_21_value then
+        slice0cost_difference_1_21_choice_2 := slice0shift_search_1_21;
+      else
+        slice0cost_difference_1_21_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_22_value := ((slice0cost_signs_ready_words_1 / 4194304) mod 2) = 1;
-      slice0cost_difference_1_22_choice := slice0shift_reference_1 when slice0cost_difference_1_22_value else
-        slice0shift_search_1_22;
-      slice0cost_difference_1_22_choice_2 := slice0shift_search_1_22 when slice0cost_difference_1_22_value else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_22_value then
+        slice0cost_difference_1_22_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_22_choice := slice0shift_search_1_22;
+      end if;
+      if slice0cost_difference_1_22_value then
+        slice0cost_difference_1_22_choice_2 := slice0shift_search_1_22;
+      else
+        slice0cost_difference_1_22_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_23_value := ((slice0cost_signs_ready_words_1 / 8388608) mod 2) = 1;
-      slice0cost_difference_1_23_choice := slice0shift_reference_1 when slice0cost_difference_1_23_value else
-        slice0shift_search_1_23;
-      slice0cost_difference_1_23_choice_2 := slice0shift_search_1_23 when slice0cost_difference_1_23_value else
-        slice0shift_reference_1;
-      slice0cost_difference_1_24_choice := slice0shift_reference_1 when (slice0cost_signs_ready_words_1 / 16777216) = 1
-        else slice0shift_search_1_24;
-      slice0cost_difference_1_24_choice_2 := slice0shift_search_1_24 when (slice0cost_signs_ready_words_1 / 16777216) =
-        1 else slice0shift_reference_1;
+      if slice0cost_difference_1_23_value then
+        slice0cost_difference_1_23_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_23_choice := slice0shift_search_1_23;
+      end if;
+      if slice0cost_difference_1_23_value then
+        slice0cost_difference_1_23_choice_2 := slice0shift_search_1_23;
+      else
+        slice0cost_difference_1_23_choice_2 := slice0shift_reference_1;
+      end if;
+      if (slice0cost_signs_ready_words_1 / 16777216) = 1 then
+        slice0cost_difference_1_24_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_24_choice := slice0shift_search_1_24;
+      end if;
+      if (slice0cost_signs_ready_words_1 / 16777216) = 1 then
+        slice0cost_difference_1_24_choice_2 := slice0shift_search_1_24;
+      else
+        slice0cost_difference_1_24_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_2_0_difference := slice0shift_search_2_0 - slice0shift_reference_2;
       slice0cost_difference_2_1_difference := slice0shift_search_2_1 - slice0shift_reference_2;
       slice0cost_difference_2_2_difference := slice0shift_search_2_2 - slice0shift_reference_2;
@@ -1846,31 +2251,6 @@ begin
       slice0cost_difference_1_22 <= (slice0cost_difference_1_22_choice - slice0cost_difference_1_22_choice_2) mod 256;
       slice0cost_difference_1_23 <= (slice0cost_difference_1_23_choice - slice0cost_difference_1_23_choice_2) mod 256;
       slice0cost_difference_1_24 <= (slice0cost_difference_1_24_choice - slice0cost_difference_1_24_choice_2) mod 256;
-      slice0cost_difference_2_0 <= slice0cost_difference_2_0_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_1 <= slice0cost_difference_2_1_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_2 <= slice0cost_difference_2_2_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_3 <= slice0cost_difference_2_3_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_4 <= slice0cost_difference_2_4_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_5 <= slice0cost_difference_2_5_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_6 <= slice0cost_difference_2_6_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_7 <= slice0cost_difference_2_7_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_8 <= slice0cost_difference_2_8_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_9 <= slice0cost_difference_2_9_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_10 <= slice0cost_difference_2_10_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_11 <= slice0cost_difference_2_11_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_12 <= slice0cost_difference_2_12_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_13 <= slice0cost_difference_2_13_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_14 <= slice0cost_difference_2_14_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_15 <= slice0cost_difference_2_15_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_16 <= slice0cost_difference_2_16_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_17 <= slice0cost_difference_2_17_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_18 <= slice0cost_difference_2_18_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_19 <= slice0cost_difference_2_19_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_20 <= slice0cost_difference_2_20_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_21 <= slice0cost_difference_2_21_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_22 <= slice0cost_difference_2_22_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_23 <= slice0cost_difference_2_23_difference when slice0shift_tag_newest_inside else 0;
-      slice0cost_difference_2_24 <= slice0cost_difference_2_24_difference when slice0shift_tag_newest_inside else 0;
       slice0cost_newest_negative_0_0 <= slice0cost_difference_2_0_difference < 0;
       slice0cost_newest_negative_0_1 <= slice0cost_difference_2_1_difference < 0;
       slice0cost_newest_negative_0_2 <= slice0cost_difference_2_2_difference < 0;
@@ -1983,62 +2363,118 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        slice0cost_single_0_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
-        slice0cost_single_0_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
-        slice0cost_single_0_4;
-      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_5 +
-        slice0cost_single_0_5;
-      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_6 +
-        slice0cost_single_0_6;
-      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_7 +
-        slice0cost_single_0_7;
-      slice0cost_column_0_8 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_8 +
-        slice0cost_single_0_8;
-      slice0cost_column_0_9 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_9 +
-        slice0cost_single_0_9;
-      slice0cost_column_0_10 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_10 +
-        slice0cost_single_0_10;
-      slice0cost_column_0_11 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_11 +
-        slice0cost_single_0_11;
-      slice0cost_column_0_12 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_12 +
-        slice0cost_single_0_12;
-      slice0cost_column_0_13 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_13 +
-        slice0cost_single_0_13;
-      slice0cost_column_0_14 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_14 +
-        slice0cost_single_0_14;
-      slice0cost_column_0_15 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_15 +
-        slice0cost_single_0_15;
-      slice0cost_column_0_16 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_16 +
-        slice0cost_single_0_16;
-      slice0cost_column_0_17 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_17 +
-        slice0cost_single_0_17;
-      slice0cost_column_0_18 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_18 +
-        slice0cost_single_0_18;
-      slice0cost_column_0_19 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_19 +
-        slice0cost_single_0_19;
-      slice0cost_column_0_20 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_20 +
-        slice0cost_single_0_20;
-      slice0cost_column_0_21 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_21 +
-        slice0cost_single_0_21;
-      slice0cost_column_0_22 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_22 +
-        slice0cost_single_0_22;
-      slice0cost_column_0_23 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_23 +
-        slice0cost_single_0_23;
-      slice0cost_column_0_24 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_24 +
-        slice0cost_single_0_24;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_newest_inside <= slice0cost_pair_tag_newest_inside;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0shift_tag_newest_inside then
+        slice0cost_difference_2_0 <= slice0cost_difference_2_0_difference;
+        slice0cost_difference_2_1 <= slice0cost_difference_2_1_difference;
+        slice0cost_difference_2_2 <= slice0cost_difference_2_2_difference;
+        slice0cost_difference_2_3 <= slice0cost_difference_2_3_difference;
+        slice0cost_difference_2_4 <= slice0cost_difference_2_4_difference;
+        slice0cost_difference_2_5 <= slice0cost_difference_2_5_difference;
+        slice0cost_difference_2_6 <= slice0cost_difference_2_6_difference;
+        slice0cost_difference_2_7 <= slice0cost_difference_2_7_difference;
+        slice0cost_difference_2_8 <= slice0cost_difference_2_8_difference;
+        slice0cost_difference_2_9 <= slice0cost_difference_2_9_difference;
+        slice0cost_difference_2_10 <= slice0cost_difference_2_10_difference;
+        slice0cost_difference_2_11 <= slice0cost_difference_2_11_difference;
+        slice0cost_difference_2_12 <= slice0cost_difference_2_12_difference;
+        slice0cost_difference_2_13 <= slice0cost_difference_2_13_difference;
+        slice0cost_difference_2_14 <= slice0cost_difference_2_14_difference;
+        slice0cost_difference_2_15 <= slice0cost_difference_2_15_difference;
+        slice0cost_difference_2_16 <= slice0cost_difference_2_16_difference;
+        slice0cost_difference_2_17 <= slice0cost_difference_2_17_difference;
+        slice0cost_difference_2_18 <= slice0cost_difference_2_18_difference;
+        slice0cost_difference_2_19 <= slice0cost_difference_2_19_difference;
+        slice0cost_difference_2_20 <= slice0cost_difference_2_20_difference;
+        slice0cost_difference_2_21 <= slice0cost_difference_2_21_difference;
+        slice0cost_difference_2_22 <= slice0cost_difference_2_22_difference;
+        slice0cost_difference_2_23 <= slice0cost_difference_2_23_difference;
+        slice0cost_difference_2_24 <= slice0cost_difference_2_24_difference;
+      else
+        slice0cost_difference_2_0 <= 0;
+        slice0cost_difference_2_1 <= 0;
+        slice0cost_difference_2_2 <= 0;
+        slice0cost_difference_2_3 <= 0;
+        slice0cost_difference_2_4 <= 0;
+        slice0cost_difference_2_5 <= 0;
+        slice0cost_difference_2_6 <= 0;
+        slice0cost_difference_2_7 <= 0;
+        slice0cost_difference_2_8 <= 0;
+        slice0cost_difference_2_9 <= 0;
+        slice0cost_difference_2_10 <= 0;
+        slice0cost_difference_2_11 <= 0;
+        slice0cost_difference_2_12 <= 0;
+        slice0cost_difference_2_13 <= 0;
+        slice0cost_difference_2_14 <= 0;
+        slice0cost_difference_2_15 <= 0;
+        slice0cost_difference_2_16 <= 0;
+        slice0cost_difference_2_17 <= 0;
+        slice0cost_difference_2_18 <= 0;
+        slice0cost_difference_2_19 <= 0;
+        slice0cost_difference_2_20 <= 0;
+        slice0cost_difference_2_21 <= 0;
+        slice0cost_difference_2_22 <= 0;
+        slice0cost_difference_2_23 <= 0;
+        slice0cost_difference_2_24 <= 0;
+      end if;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+        slice0cost_column_0_5 <= 0;
+        slice0cost_column_0_6 <= 0;
+        slice0cost_column_0_7 <= 0;
+        slice0cost_column_0_8 <= 0;
+        slice0cost_column_0_9 <= 0;
+        slice0cost_column_0_10 <= 0;
+        slice0cost_column_0_11 <= 0;
+        slice0cost_column_0_12 <= 0;
+        slice0cost_column_0_13 <= 0;
+        slice0cost_column_0_14 <= 0;
+        slice0cost_column_0_15 <= 0;
+        slice0cost_column_0_16 <= 0;
+        slice0cost_column_0_17 <= 0;
+        slice0cost_column_0_18 <= 0;
+        slice0cost_column_0_19 <= 0;
+        slice0cost_column_0_20 <= 0;
+        slice0cost_column_0_21 <= 0;
+        slice0cost_column_0_22 <= 0;
+        slice0cost_column_0_23 <= 0;
+        slice0cost_column_0_24 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_column_0_3 <= slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_column_0_4 <= slice0cost_pair_0_4 + slice0cost_single_0_4;
+        slice0cost_column_0_5 <= slice0cost_pair_0_5 + slice0cost_single_0_5;
+        slice0cost_column_0_6 <= slice0cost_pair_0_6 + slice0cost_single_0_6;
+        slice0cost_column_0_7 <= slice0cost_pair_0_7 + slice0cost_single_0_7;
+        slice0cost_column_0_8 <= slice0cost_pair_0_8 + slice0cost_single_0_8;
+        slice0cost_column_0_9 <= slice0cost_pair_0_9 + slice0cost_single_0_9;
+        slice0cost_column_0_10 <= slice0cost_pair_0_10 + slice0cost_single_0_10;
+        slice0cost_column_0_11 <= slice0cost_pair_0_11 + slice0cost_single_0_11;
+        slice0cost_column_0_12 <= slice0cost_pair_0_12 + slice0cost_single_0_12;
+        slice0cost_column_0_13 <= slice0cost_pair_0_13 + slice0cost_single_0_13;
+        slice0cost_column_0_14 <= slice0cost_pair_0_14 + slice0cost_single_0_14;
+        slice0cost_column_0_15 <= slice0cost_pair_0_15 + slice0cost_single_0_15;
+        slice0cost_column_0_16 <= slice0cost_pair_0_16 + slice0cost_single_0_16;
+        slice0cost_column_0_17 <= slice0cost_pair_0_17 + slice0cost_single_0_17;
+        slice0cost_column_0_18 <= slice0cost_pair_0_18 + slice0cost_single_0_18;
+        slice0cost_column_0_19 <= slice0cost_pair_0_19 + slice0cost_single_0_19;
+        slice0cost_column_0_20 <= slice0cost_pair_0_20 + slice0cost_single_0_20;
+        slice0cost_column_0_21 <= slice0cost_pair_0_21 + slice0cost_single_0_21;
+        slice0cost_column_0_22 <= slice0cost_pair_0_22 + slice0cost_single_0_22;
+        slice0cost_column_0_23 <= slice0cost_pair_0_23 + slice0cost_single_0_23;
+        slice0cost_column_0_24 <= slice0cost_pair_0_24 + slice0cost_single_0_24;
+      end if;
       if slice0cost_difference_tag_valid then
         slice0cost_signs_write_column <= slice0cost_signs_difference_column;
         slice0cost_signs_write_words_0 <= slice0cost_signs_known_words_1;
@@ -2155,48 +2591,95 @@ begin
       slice0winner1_best_cost_0_9_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
       slice0winner1_best_cost_0_10_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
       slice0winner1_best_cost_0_11_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
-        slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
-        slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
-        slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
-        slice0window_sum_0_14;
-      slice0winner1_best_cost_0_8 <= slice0window_sum_0_17 when slice0winner1_best_cost_0_8_is_less else
-        slice0window_sum_0_16;
-      slice0winner1_best_cost_0_9 <= slice0window_sum_0_19 when slice0winner1_best_cost_0_9_is_less else
-        slice0window_sum_0_18;
-      slice0winner1_best_cost_0_10 <= slice0window_sum_0_21 when slice0winner1_best_cost_0_10_is_less else
-        slice0window_sum_0_20;
-      slice0winner1_best_cost_0_11 <= slice0window_sum_0_23 when slice0winner1_best_cost_0_11_is_less else
-        slice0window_sum_0_22;
       slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
-      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
-      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
-      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
-      slice0winner1_best_index_0_8 <= 17 when slice0winner1_best_cost_0_8_is_less else 16;
-      slice0winner1_best_index_0_9 <= 19 when slice0winner1_best_cost_0_9_is_less else 18;
-      slice0winner1_best_index_0_10 <= 21 when slice0winner1_best_cost_0_10_is_less else 20;
-      slice0winner1_best_index_0_11 <= 23 when slice0winner1_best_cost_0_11_is_less else 22;
       slice0winner1_best_index_0_12 <= 24;
       slice0winner1_tag_valid <= slice0window_tag_valid;
       slice0winner1_tag_output_column <= slice0window_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+      end if;
+      if slice0winner1_best_cost_0_1_is_less then
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_index_0_1 <= 3;
+      else
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_index_0_1 <= 2;
+      end if;
+      if slice0winner1_best_cost_0_2_is_less then
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_index_0_2 <= 5;
+      else
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_index_0_2 <= 4;
+      end if;
+      if slice0winner1_best_cost_0_3_is_less then
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+        slice0winner1_best_index_0_3 <= 7;
+      else
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_index_0_3 <= 6;
+      end if;
+      if slice0winner1_best_cost_0_4_is_less then
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_9;
+        slice0winner1_best_index_0_4 <= 9;
+      else
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_8;
+        slice0winner1_best_index_0_4 <= 8;
+      end if;
+      if slice0winner1_best_cost_0_5_is_less then
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_11;
+        slice0winner1_best_index_0_5 <= 11;
+      else
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_10;
+        slice0winner1_best_index_0_5 <= 10;
+      end if;
+      if slice0winner1_best_cost_0_6_is_less then
+        slice0winner1_best_cost_0_6 <= slice0window_sum_0_13;
+        slice0winner1_best_index_0_6 <= 13;
+      else
+        slice0winner1_best_cost_0_6 <= slice0window_sum_0_12;
+        slice0winner1_best_index_0_6 <= 12;
+      end if;
+      if slice0winner1_best_cost_0_7_is_less then
+        slice0winner1_best_cost_0_7 <= slice0window_sum_0_15;
+        slice0winner1_best_index_0_7 <= 15;
+      else
+        slice0winner1_best_cost_0_7 <= slice0window_sum_0_14;
+        slice0winner1_best_index_0_7 <= 14;
+      end if;
+      if slice0winner1_best_cost_0_8_is_less then
+        slice0winner1_best_cost_0_8 <= slice0window_sum_0_17;
+        slice0winner1_best_index_0_8 <= 17;
+      else
+        slice0winner1_best_cost_0_8 <= slice0window_sum_0_16;
+        slice0winner1_best_index_0_8 <= 16;
+      end if;
+      if slice0winner1_best_cost_0_9_is_less then
+        slice0winner1_best_cost_0_9 <= slice0window_sum_0_19;
+        slice0winner1_best_index_0_9 <= 19;
+      else
+        slice0winner1_best_cost_0_9 <= slice0window_sum_0_18;
+        slice0winner1_best_index_0_9 <= 18;
+      end if;
+      if slice0winner1_best_cost_0_10_is_less then
+        slice0winner1_best_cost_0_10 <= slice0window_sum_0_21;
+        slice0winner1_best_index_0_10 <= 21;
+      else
+        slice0winner1_best_cost_0_10 <= slice0window_sum_0_20;
+        slice0winner1_best_index_0_10 <= 20;
+      end if;
+      if slice0winner1_best_cost_0_11_is_less then
+        slice0winner1_best_cost_0_11 <= slice0window_sum_0_23;
+        slice0winner1_best_index_0_11 <= 23;
+      else
+        slice0winner1_best_cost_0_11 <= slice0window_sum_0_22;
+        slice0winner1_best_index_0_11 <= 22;
+      end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
@@ -2204,33 +2687,51 @@ begin
       slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
       slice0winner2_best_cost_0_4_is_less := (slice0winner1_best_cost_0_9 - slice0winner1_best_cost_0_8) < 0;
       slice0winner2_best_cost_0_5_is_less := (slice0winner1_best_cost_0_11 - slice0winner1_best_cost_0_10) < 0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_cost_0_6;
-      slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9 when slice0winner2_best_cost_0_4_is_less else
-        slice0winner1_best_cost_0_8;
-      slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11 when slice0winner2_best_cost_0_5_is_less else
-        slice0winner1_best_cost_0_10;
       slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
-      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_index_0_4;
-      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_index_0_6;
-      slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9 when slice0winner2_best_cost_0_4_is_less else
-        slice0winner1_best_index_0_8;
-      slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11 when slice0winner2_best_cost_0_5_is_less else
-        slice0winner1_best_index_0_10;
       slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+      end if;
+      if slice0winner2_best_cost_0_1_is_less then
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
+      else
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+      end if;
+      if slice0winner2_best_cost_0_2_is_less then
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5;
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
+      else
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
+      end if;
+      if slice0winner2_best_cost_0_3_is_less then
+        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7;
+        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
+      else
+        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_6;
+        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
+      end if;
+      if slice0winner2_best_cost_0_4_is_less then
+        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9;
+        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9;
+      else
+        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_8;
+        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_8;
+      end if;
+      if slice0winner2_best_cost_0_5_is_less then
+        slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11;
+        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11;
+      else
+        slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_10;
+        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_10;
+      end if;
       if slice0winner2_tag_valid then
         slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
         slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
@@ -2240,49 +2741,67 @@ begin
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
       slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
       slice0winner3_best_cost_0_2_is_less := (slice0winner2_best_cost_0_5 - slice0winner2_best_cost_0_4) < 0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_cost_0_2;
-      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5 when slice0winner3_best_cost_0_2_is_less else
-        slice0winner2_best_cost_0_4;
       slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_index_0_2;
-      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5 when slice0winner3_best_cost_0_2_is_less else
-        slice0winner2_best_index_0_4;
       slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      if slice0winner3_best_cost_0_0_is_less then
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+      end if;
+      if slice0winner3_best_cost_0_1_is_less then
+        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3;
+        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
+      else
+        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
+        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
+      end if;
+      if slice0winner3_best_cost_0_2_is_less then
+        slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5;
+        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5;
+      else
+        slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_4;
+        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_4;
+      end if;
       -- slice0winner4
       slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
       slice0winner4_best_cost_0_1_is_less := (slice0winner3_best_cost_0_3 - slice0winner3_best_cost_0_2) < 0;
-      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_cost_0_0;
-      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3 when slice0winner4_best_cost_0_1_is_less else
-        slice0winner3_best_cost_0_2;
-      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_index_0_0;
-      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_0_1_is_less else
-        slice0winner3_best_index_0_2;
       slice0winner4_tag_valid <= slice0winner3_tag_valid;
       slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
       slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
       slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      if slice0winner4_best_cost_0_0_is_less then
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
+      else
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
+      end if;
+      if slice0winner4_best_cost_0_1_is_less then
+        slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3;
+        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_2;
+        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_2;
+      end if;
       -- slice0winner5
       slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0_1 - slice0winner4_best_cost_0_0) < 0;
-      slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1 when slice0winner5_best_cost_0_0_is_less else
-        slice0winner4_best_cost_0_0;
-      slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice0winner5_best_cost_0_0_is_less else
-        slice0winner4_best_index_0_0;
       slice0winner5_tag_valid <= slice0winner4_tag_valid;
       slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
       slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
       slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
+      if slice0winner5_best_cost_0_0_is_less then
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1;
+        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1;
+      else
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_0;
+        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_0;
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 75;
@@ -2375,252 +2894,552 @@ begin
       slice1shift_search_out_1 <= slice1shift_search_1_0;
       slice1shift_search_out_2 <= slice1shift_search_2_0;
       -- slice1cost
-      slice1cost_difference_0_0_choice := slice1shift_reference_0 when (slice1cost_signs_ready_words_0 mod 2) = 1 else
-        slice1shift_search_0_0;
-      slice1cost_difference_0_0_choice_2 := slice1shift_search_0_0 when (slice1cost_signs_ready_words_0 mod 2) = 1 else
-        slice1shift_reference_0;
+      if (slice1cost_signs_ready_words_0 mod 2) = 1 then
+        slice1cost_difference_0_0_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_0_choice := slice1shift_search_0_0;
+      end if;
+      if (slice1cost_signs_ready_words_0 mod 2) = 1 then
+        slice1cost_difference_0_0_choice_2 := slice1shift_search_0_0;
+      else
+        slice1cost_difference_0_0_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_1_value := ((slice1cost_signs_ready_words_0 / 2) mod 2) = 1;
-      slice1cost_difference_0_1_choice := slice1shift_reference_0 when slice1cost_difference_0_1_value else
-        slice1shift_search_0_1;
-      slice1cost_difference_0_1_choice_2 := slice1shift_search_0_1 when slice1cost_difference_0_1_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_1_value then
+        slice1cost_difference_0_1_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_1_choice := slice1shift_search_0_1;
+      end if;
+      if slice1cost_difference_0_1_value then
+        slice1cost_difference_0_1_choice_2 := slice1shift_search_0_1;
+      else
+        slice1cost_difference_0_1_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_2_value := ((slice1cost_signs_ready_words_0 / 4) mod 2) = 1;
-      slice1cost_difference_0_2_choice := slice1shift_reference_0 when slice1cost_difference_0_2_value else
-        slice1shift_search_0_2;
-      slice1cost_difference_0_2_choice_2 := slice1shift_search_0_2 when slice1cost_difference_0_2_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_2_value then
+        slice1cost_difference_0_2_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_2_choice := slice1shift_search_0_2;
+      end if;
+      if slice1cost_difference_0_2_value then
+        slice1cost_difference_0_2_choice_2 := slice1shift_search_0_2;
+      else
+        slice1cost_difference_0_2_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_3_value := ((slice1cost_signs_ready_words_0 / 8) mod 2) = 1;
-      slice1cost_difference_0_3_choice := slice1shift_reference_0 when slice1cost_difference_0_3_value else
-        slice1shift_search_0_3;
-      slice1cost_difference_0_3_choice_2 := slice1shift_search_0_3 when slice1cost_difference_0_3_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_3_value then
+        slice1cost_difference_0_3_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_3_choice := slice1shift_search_0_3;
+      end if;
+      if slice1cost_difference_0_3_value then
+        slice1cost_difference_0_3_choice_2 := slice1shift_search_0_3;
+      else
+        slice1cost_difference_0_3_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_4_value := ((slice1cost_signs_ready_words_0 / 16) mod 2) = 1;
-      slice1cost_difference_0_4_choice := slice1shift_reference_0 when slice1cost_difference_0_4_value else
-        slice1shift_search_0_4;
-      slice1cost_difference_0_4_choice_2 := slice1shift_search_0_4 when slice1cost_difference_0_4_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_4_value then
+        slice1cost_difference_0_4_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_4_choice := slice1shift_search_0_4;
+      end if;
+      if slice1cost_difference_0_4_value then
+        slice1cost_difference_0_4_choice_2 := slice1shift_search_0_4;
+      else
+        slice1cost_difference_0_4_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_5_value := ((slice1cost_signs_ready_words_0 / 32) mod 2) = 1;
-      slice1cost_difference_0_5_choice := slice1shift_reference_0 when slice1cost_difference_0_5_value else
-        slice1shift_search_0_5;
-      slice1cost_difference_0_5_choice_2 := slice1shift_search_0_5 when slice1cost_difference_0_5_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_5_value then
+        slice1cost_difference_0_5_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_5_choice := slice1shift_search_0_5;
+      end if;
+      if slice1cost_difference_0_5_value then
+        slice1cost_difference_0_5_choice_2 := slice1shift_search_0_5;
+      else
+        slice1cost_difference_0_5_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_6_value := ((slice1cost_signs_ready_words_0 / 64) mod 2) = 1;
-      slice1cost_difference_0_6_choice := slice1shift_reference_0 when slice1cost_difference_0_6_value else
-        slice1shift_search_0_6;
-      slice1cost_difference_0_6_choice_2 := slice1shift_search_0_6 when slice1cost_difference_0_6_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_6_value then
+        slice1cost_difference_0_6_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_6_choice := slice1shift_search_0_6;
+      end if;
+      if slice1cost_difference_0_6_value then
+        slice1cost_difference_0_6_choice_2 := slice1shift_search_0_6;
+      else
+        slice1cost_difference_0_6_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_7_value := ((slice1cost_signs_ready_words_0 / 128) mod 2) = 1;
-      slice1cost_difference_0_7_choice := slice1shift_reference_0 when slice1cost_difference_0_7_value else
-        slice1shift_search_0_7;
-      slice1cost_difference_0_7_choice_2 := slice1shift_search_0_7 when slice1cost_difference_0_7_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_7_value then
+        slice1cost_difference_0_7_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_7_choice := slice1shift_search_0_7;
+      end if;
+      if slice1cost_difference_0_7_value then
+        slice1cost_difference_0_7_choice_2 := slice1shift_search_0_7;
+      else
+        slice1cost_difference_0_7_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_8_value := ((slice1cost_signs_ready_words_0 / 256) mod 2) = 1;
-      slice1cost_difference_0_8_choice := slice1shift_reference_0 when slice1cost_difference_0_8_value else
-        slice1shift_search_0_8;
-      slice1cost_difference_0_8_choice_2 := slice1shift_search_0_8 when slice1cost_difference_0_8_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_8_value then
+        slice1cost_difference_0_8_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_8_choice := slice1shift_search_0_8;
+      end if;
+      if slice1cost_difference_0_8_value then
+        slice1cost_difference_0_8_choice_2 := slice1shift_search_0_8;
+      else
+        slice1cost_difference_0_8_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_9_value := ((slice1cost_signs_ready_words_0 / 512) mod 2) = 1;
-      slice1cost_difference_0_9_choice := slice1shift_reference_0 when slice1cost_difference_0_9_value else
-        slice1shift_search_0_9;
-      slice1cost_difference_0_9_choice_2 := slice1shift_search_0_9 when slice1cost_difference_0_9_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_9_value then
+        slice1cost_difference_0_9_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_9_choice := slice1shift_search_0_9;
+      end if;
+      if slice1cost_difference_0_9_value then
+        slice1cost_difference_0_9_choice_2 := slice1shift_search_0_9;
+      else
+        slice1cost_difference_0_9_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_10_value := ((slice1cost_signs_ready_words_0 / 1024) mod 2) = 1;
-      slice1cost_difference_0_10_choice := slice1shift_reference_0 when slice1cost_difference_0_10_value else
-        slice1shift_search_0_10;
-      slice1cost_difference_0_10_choice_2 := slice1shift_search_0_10 when slice1cost_difference_0_10_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_10_value then
+        slice1cost_difference_0_10_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_10_choice := slice1shift_search_0_10;
+      end if;
+      if slice1cost_difference_0_10_value then
+        slice1cost_difference_0_10_choice_2 := slice1shift_search_0_10;
+      else
+        slice1cost_difference_0_10_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_11_value := ((slice1cost_signs_ready_words_0 / 2048) mod 2) = 1;
-      slice1cost_difference_0_11_choice := slice1shift_reference_0 when slice1cost_difference_0_11_value else
-        slice1shift_search_0_11;
-      slice1cost_difference_0_11_choice_2 := slice1shift_search_0_11 when slice1cost_difference_0_11_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_11_value then
+        slice1cost_difference_0_11_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_11_choice := slice1shift_search_0_11;
+      end if;
+      if slice1cost_difference_0_11_value then
+        slice1cost_difference_0_11_choice_2 := slice1shift_search_0_11;
+      else
+        slice1cost_difference_0_11_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_12_value := ((slice1cost_signs_ready_words_0 / 4096) mod 2) = 1;
-      slice1cost_difference_0_12_choice := slice1shift_reference_0 when slice1cost_difference_0_12_value else
-        slice1shift_search_0_12;
-      slice1cost_difference_0_12_choice_2 := slice1shift_search_0_12 when slice1cost_difference_0_12_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_12_value then
+        slice1cost_difference_0_12_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_12_choice := slice1shift_search_0_12;
+      end if;
+      if slice1cost_difference_0_12_value then
+        slice1cost_difference_0_12_choice_2 := slice1shift_search_0_12;
+      else
+        slice1cost_difference_0_12_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_13_value := ((slice1cost_signs_ready_words_0 / 8192) mod 2) = 1;
-      slice1cost_difference_0_13_choice := slice1shift_reference_0 when slice1cost_difference_0_13_value else
-        slice1shift_search_0_13;
-      slice1cost_difference_0_13_choice_2 := slice1shift_search_0_13 when slice1cost_difference_0_13_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_13_value then
+        slice1cost_difference_0_13_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_13_choice := slice1shift_search_0_13;
+      end if;
+      if slice1cost_difference_0_13_value then
+        slice1cost_difference_0_13_choice_2 := slice1shift_search_0_13;
+      else
+        slice1cost_difference_0_13_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_14_value := ((slice1cost_signs_ready_words_0 / 16384) mod 2) = 1;
-      slice1cost_difference_0_14_choice := slice1shift_reference_0 when slice1cost_difference_0_14_value else
-        slice1shift_search_0_14;
-      slice1cost_difference_0_14_choice_2 := slice1shift_search_0_14 when slice1cost_difference_0_14_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_14_value then
+        slice1cost_difference_0_14_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_14_choice := slice1shift_search_0_14;
+      end if;
+      if slice1cost_difference_0_14_value then
+        slice1cost_difference_0_14_choice_2 := slice1shift_search_0_14;
+      else
+        slice1cost_difference_0_14_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_15_value := ((slice1cost_signs_ready_words_0 / 32768) mod 2) = 1;
-      slice1cost_difference_0_15_choice := slice1shift_reference_0 when slice1cost_difference_0_15_value else
-        slice1shift_search_0_15;
-      slice1cost_difference_0_15_choice_2 := slice1shift_search_0_15 when slice1cost_difference_0_15_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_15_value then
+        slice1cost_difference_0_15_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_15_choice := slice1shift_search_0_15;
+      end if;
+      if slice1cost_difference_0_15_value then
+        slice1cost_difference_0_15_choice_2 := slice1shift_search_0_15;
+      else
+        slice1cost_difference_0_15_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_16_value := ((slice1cost_signs_ready_words_0 / 65536) mod 2) = 1;
-      slice1cost_difference_0_16_choice := slice1shift_reference_0 when slice1cost_difference_0_16_value else
-        slice1shift_search_0_16;
-      slice1cost_difference_0_16_choice_2 := slice1shift_search_0_16 when slice1cost_difference_0_16_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_16_value then
+        slice1cost_difference_0_16_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_16_choice := slice1shift_search_0_16;
+      end if;
+      if slice1cost_difference_0_16_value then
+        slice1cost_difference_0_16_choice_2 := slice1shift_search_0_16;
+      else
+        slice1cost_difference_0_16_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_17_value := ((slice1cost_signs_ready_words_0 / 131072) mod 2) = 1;
-      slice1cost_difference_0_17_choice := slice1shift_reference_0 when slice1cost_difference_0_17_value else
-        slice1shift_search_0_17;
-      slice1cost_difference_0_17_choice_2 := slice1shift_search_0_17 when slice1cost_difference_0_17_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_17_value then
+        slice1cost_difference_0_17_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_17_choice := slice1shift_search_0_17;
+      end if;
+      if slice1cost_difference_0_17_value then
+        slice1cost_difference_0_17_choice_2 := slice1shift_search_0_17;
+      else
+        slice1cost_difference_0_17_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_18_value := ((slice1cost_signs_ready_words_0 / 262144) mod 2) = 1;
-      slice1cost_difference_0_18_choice := slice1shift_reference_0 when slice1cost_difference_0_18_value else
-        slice1shift_search_0_18;
-      slice1cost_difference_0_18_choice_2 := slice1shift_search_0_18 when slice1cost_difference_0_18_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_18_value then
+        slice1cost_difference_0_18_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_18_choice := slice1shift_search_0_18;
+      end if;
+      if slice1cost_difference_0_18_value then
+        slice1cost_difference_0_18_choice_2 := slice1shift_search_0_18;
+      else
+        slice1cost_difference_0_18_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_19_value := ((slice1cost_signs_ready_words_0 / 524288) mod 2) = 1;
-      slice1cost_difference_0_19_choice := slice1shift_reference_0 when slice1cost_difference_0_19_value else
-        slice1shift_search_0_19;
-      slice1cost_difference_0_19_choice_2 := slice1shift_search_0_19 when slice1cost_difference_0_19_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_19_value then
+        slice1cost_difference_0_19_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_19_choice := slice1shift_search_0_19;
+      end if;
+      if slice1cost_difference_0_19_value then
+        slice1cost_difference_0_19_choice_2 := slice1shift_search_0_19;
+      else
+        slice1cost_difference_0_19_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_20_value := ((slice1cost_signs_ready_words_0 / 1048576) mod 2) = 1;
-      slice1cost_difference_0_20_choice := slice1shift_reference_0 when slice1cost_difference_0_20_value else
-        slice1shift_search_0_20;
-      slice1cost_difference_0_20_choice_2 := slice1shift_search_0_20 when slice1cost_difference_0_20_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_20_value then
+        slice1cost_difference_0_20_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_20_choice := slice1shift_search_0_20;
+      end if;
+      if slice1cost_difference_0_20_value then
+        slice1cost_difference_0_20_choice_2 := slice1shift_search_0_20;
+      else
+        slice1cost_difference_0_20_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_21_value := ((slice1cost_signs_ready_words_0 / 2097152) mod 2) = 1;
-      slice1cost_difference_0_21_choice := slice1shift_reference_0 when slice1cost_difference_0_21_value else
-        slice1shift_search_0_21;
-      slice1cost_difference_0_21_choice_2 := slice1shift_search_0_21 when slice1cost_difference_0_21_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_21_value then
+        slice1cost_difference_0_21_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_21_choice := slice1shift_search_0_21;
+      end if;
+      if slice1cost_difference_0_21_value then
+        slice1cost_difference_0_21_choice_2 := slice1shift_search_0_21;
+      else
+        slice1cost_difference_0_21_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_22_value := ((slice1cost_signs_ready_words_0 / 4194304) mod 2) = 1;
-      slice1cost_difference_0_22_choice := slice1shift_reference_0 when slice1cost_difference_0_22_value else
-        slice1shift_search_0_22;
-      slice1cost_difference_0_22_choice_2 := slice1shift_search_0_22 when slice1cost_difference_0_22_value else
-        slice1shift_reference_0;
+      if slice1cost_difference_0_22_value then
+        slice1cost_difference_0_22_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_22_choice := slice1shift_search_0_22;
+      end if;
+      if slice1cost_difference_0_22_value then
+        slice1cost_difference_0_22_choice_2 := slice1shift_search_0_22;
+      else
+        slice1cost_difference_0_22_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_23_value := ((slice1cost_signs_ready_words_0 / 8388608) mod 2) = 1;
-      slice1cost_difference_0_23_choice := slice1shift_reference_0 when slice1cost_difference_0_23_value else
-        slice1shift_search_0_23;
-      slice1cost_difference_0_23_choice_2 := slice1shift_search_0_23 when slice1cost_difference_0_23_value else
-        slice1shift_reference_0;
-      slice1cost_difference_0_24_choice := slice1shift_reference_0 when (slice1cost_signs_ready_words_0 / 16777216) = 1
-        else slice1shift_search_0_24;
-      slice1cost_difference_0_24_choice_2 := slice1shift_search_0_24 when (slice1cost_signs_ready_words_0 / 16777216) =
-        1 else slice1shift_reference_0;
-      slice1cost_difference_1_0_choice := slice1shift_reference_1 when (slice1cost_signs_ready_words_1 mod 2) = 1 else
-        slice1shift_search_1_0;
-      slice1cost_difference_1_0_choice_2 := slice1shift_search_1_0 when (slice1cost_signs_ready_words_1 mod 2) = 1 else
-        slice1shift_reference_1;
+      if slice1cost_difference_0_23_value then
+        slice1cost_difference_0_23_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_23_choice := slice1shift_search_0_23;
+      end if;
+      if slice1cost_difference_0_23_value then
+        slice1cost_difference_0_23_choice_2 := slice1shift_search_0_23;
+      else
+        slice1cost_difference_0_23_choice_2 := slice1shift_reference_0;
+      end if;
+      if (slice1cost_signs_ready_words_0 / 16777216) = 1 then
+        slice1cost_difference_0_24_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_24_choice := slice1shift_search_0_24;
+      end if;
+      if (slice1cost_signs_ready_words_0 / 16777216) = 1 then
+        slice1cost_difference_0_24_choice_2 := slice1shift_search_0_24;
+      else
+        slice1cost_difference_0_24_choice_2 := slice1shift_reference_0;
+      end if;
+      if (slice1cost_signs_ready_words_1 mod 2) = 1 then
+        slice1cost_difference_1_0_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_0_choice := slice1shift_search_1_0;
+      end if;
+      if (slice1cost_signs_ready_words_1 mod 2) = 1 then
+        slice1cost_difference_1_0_choice_2 := slice1shift_search_1_0;
+      else
+        slice1cost_difference_1_0_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_1_value := ((slice1cost_signs_ready_words_1 / 2) mod 2) = 1;
-      slice1cost_difference_1_1_choice := slice1shift_reference_1 when slice1cost_difference_1_1_value else
-        slice1shift_search_1_1;
-      slice1cost_difference_1_1_choice_2 := slice1shift_search_1_1 when slice1cost_difference_1_1_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_1_value then
+        slice1cost_difference_1_1_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_1_choice := slice1shift_search_1_1;
+      end if;
+      if slice1cost_difference_1_1_value then
+        slice1cost_difference_1_1_choice_2 := slice1shift_search_1_1;
+      else
+        slice1cost_difference_1_1_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_2_value := ((slice1cost_signs_ready_words_1 / 4) mod 2) = 1;
-      slice1cost_difference_1_2_choice := slice1shift_reference_1 when slice1cost_difference_1_2_value else
-        slice1shift_search_1_2;
-      slice1cost_difference_1_2_choice_2 := slice1shift_search_1_2 when slice1cost_difference_1_2_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_2_value then
+        slice1cost_difference_1_2_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_2_choice := slice1shift_search_1_2;
+      end if;
+      if slice1cost_difference_1_2_value then
+        slice1cost_difference_1_2_choice_2 := slice1shift_search_1_2;
+      else
+        slice1cost_difference_1_2_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_3_value := ((slice1cost_signs_ready_words_1 / 8) mod 2) = 1;
-      slice1cost_difference_1_3_choice := slice1shift_reference_1 when slice1cost_difference_1_3_value else
-        slice1shift_search_1_3;
-      slice1cost_difference_1_3_choice_2 := slice1shift_search_1_3 when slice1cost_difference_1_3_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_3_value then
+        slice1cost_difference_1_3_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_3_choice := slice1shift_search_1_3;
+      end if;
+      if slice1cost_difference_1_3_value then
+        slice1cost_difference_1_3_choice_2 := slice1shift_search_1_3;
+      else
+        slice1cost_difference_1_3_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_4_value := ((slice1cost_signs_ready_words_1 / 16) mod 2) = 1;
-      slice1cost_difference_1_4_choice := slice1shift_reference_1 when slice1cost_difference_1_4_value else
-        slice1shift_search_1_4;
-      slice1cost_difference_1_4_choice_2 := slice1shift_search_1_4 when slice1cost_difference_1_4_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_4_value then
+        slice1cost_difference_1_4_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_4_choice := slice1shift_search_1_4;
+      end if;
+      if slice1cost_difference_1_4_value then
+        slice1cost_difference_1_4_choice_2 := slice1shift_search_1_4;
+      else
+        slice1cost_difference_1_4_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_5_value := ((slice1cost_signs_ready_words_1 / 32) mod 2) = 1;
-      slice1cost_difference_1_5_choice := slice1shift_reference_1 when slice1cost_difference_1_5_value else
-        slice1shift_search_1_5;
-      slice1cost_difference_1_5_choice_2 := slice1shift_search_1_5 when slice1cost_difference_1_5_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_5_value then
+        slice1cost_difference_1_5_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_5_choice := slice1shift_search_1_5;
+      end if;
+      if slice1cost_difference_1_5_value then
+        slice1cost_difference_1_5_choice_2 := slice1shift_search_1_5;
+      else
+        slice1cost_difference_1_5_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_6_value := ((slice1cost_signs_ready_words_1 / 64) mod 2) = 1;
-      slice1cost_difference_1_6_choice := slice1shift_reference_1 when slice1cost_difference_1_6_value else
-        slice1shift_search_1_6;
-      slice1cost_difference_1_6_choice_2 := slice1shift_search_1_6 when slice1cost_difference_1_6_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_6_value then
+        slice1cost_difference_1_6_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_6_choice := slice1shift_search_1_6;
+      end if;
+      if slice1cost_difference_1_6_value then
+        slice1cost_difference_1_6_choice_2 := slice1shift_search_1_6;
+      else
+        slice1cost_difference_1_6_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_7_value := ((slice1cost_signs_ready_words_1 / 128) mod 2) = 1;
-      slice1cost_difference_1_7_choice := slice1shift_reference_1 when slice1cost_difference_1_7_value else
-        slice1shift_search_1_7;
-      slice1cost_difference_1_7_choice_2 := slice1shift_search_1_7 when slice1cost_difference_1_7_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_7_value then
+        slice1cost_difference_1_7_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_7_choice := slice1shift_search_1_7;
+      end if;
+      if slice1cost_difference_1_7_value then
+        slice1cost_difference_1_7_choice_2 := slice1shift_search_1_7;
+      else
+        slice1cost_difference_1_7_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_8_value := ((slice1cost_signs_ready_words_1 / 256) mod 2) = 1;
-      slice1cost_difference_1_8_choice := slice1shift_reference_1 when slice1cost_difference_1_8_value else
-        slice1shift_search_1_8;
-      slice1cost_difference_1_8_choice_2 := slice1shift_search_1_8 when slice1cost_difference_1_8_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_8_value then
+        slice1cost_difference_1_8_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_8_choice := slice1shift_search_1_8;
+      end if;
+      if slice1cost_difference_1_8_value then
+        slice1cost_difference_1_8_choice_2 := slice1shift_search_1_8;
+      else
+        slice1cost_difference_1_8_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_9_value := ((slice1cost_signs_ready_words_1 / 512) mod 2) = 1;
-      slice1cost_difference_1_9_choice := slice1shift_reference_1 when slice1cost_difference_1_9_value else
-        slice1shift_search_1_9;
-      slice1cost_difference_1_9_choice_2 := slice1shift_search_1_9 when slice1cost_difference_1_9_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_9_value then
+        slice1cost_difference_1_9_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_9_choice := slice1shift_search_1_9;
+      end if;
+      if slice1cost_difference_1_9_value then
+        slice1cost_difference_1_9_choice_2 := slice1shift_search_1_9;
+      else
+        slice1cost_difference_1_9_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_10_value := ((slice1cost_signs_ready_words_1 / 1024) mod 2) = 1;
-      slice1cost_difference_1_10_choice := slice1shift_reference_1 when slice1cost_difference_1_10_value else
-        slice1shift_search_1_10;
-      slice1cost_difference_1_10_choice_2 := slice1shift_search_1_10 when slice1cost_difference_1_10_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_10_value then
+        slice1cost_difference_1_10_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_10_choice := slice1shift_search_1_10;
+      end if;
+      if slice1cost_difference_1_10_value then
+        slice1cost_difference_1_10_choice_2 := slice1shift_search_1_10;
+      else
+        slice1cost_difference_1_10_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_11_value := ((slice1cost_signs_ready_words_1 / 2048) mod 2) = 1;
-      slice1cost_difference_1_11_choice := slice1shift_reference_1 when slice1cost_difference_1_11_value else
-        slice1shift_search_1_11;
-      slice1cost_difference_1_11_choice_2 := slice1shift_search_1_11 when slice1cost_difference_1_11_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_11_value then
+        slice1cost_difference_1_11_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_11_choice := slice1shift_search_1_11;
+      end if;
+      if slice1cost_difference_1_11_value then
+        slice1cost_difference_1_11_choice_2 := slice1shift_search_1_11;
+      else
+        slice1cost_difference_1_11_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_12_value := ((slice1cost_signs_ready_words_1 / 4096) mod 2) = 1;
-      slice1cost_difference_1_12_choice := slice1shift_reference_1 when slice1cost_difference_1_12_value else
-        slice1shift_search_1_12;
-      slice1cost_difference_1_12_choice_2 := slice1shift_search_1_12 when slice1cost_difference_1_12_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_12_value then
+        slice1cost_difference_1_12_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_12_choice := slice1shift_search_1_12;
+      end if;
+      if slice1cost_difference_1_12_value then
+        slice1cost_difference_1_12_choice_2 := slice1shift_search_1_12;
+      else
+        slice1cost_difference_1_12_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_13_value := ((slice1cost_signs_ready_words_1 / 8192) mod 2) = 1;
-      slice1cost_difference_1_13_choice := slice1shift_reference_1 when slice1cost_difference_1_13_value else
-        slice1shift_search_1_13;
-      slice1cost_difference_1_13_choice_2 := slice1shift_search_1_13 when slice1cost_difference_1_13_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_13_value then
+        slice1cost_difference_1_13_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_13_choice := slice1shift_search_1_13;
+      end if;
+      if slice1cost_difference_1_13_value then
+        slice1cost_difference_1_13_choice_2 := slice1shift_search_1_13;
+      else
+        slice1cost_difference_1_13_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_14_value := ((slice1cost_signs_ready_words_1 / 16384) mod 2) = 1;
-      slice1cost_difference_1_14_choice := slice1shift_reference_1 when slice1cost_difference_1_14_value else
-        slice1shift_search_1_14;
-      slice1cost_difference_1_14_choice_2 := slice1shift_search_1_14 when slice1cost_difference_1_14_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_14_value then
+        slice1cost_difference_1_14_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_14_choice := slice1shift_search_1_14;
+      end if;
+      if slice1cost_difference_1_14_value then
+        slice1cost_difference_1_14_choice_2 := slice1shift_search_1_14;
+      else
+        slice1cost_difference_1_14_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_15_value := ((slice1cost_signs_ready_words_1 / 32768) mod 2) = 1;
-      slice1cost_difference_1_15_choice := slice1shift_reference_1 when slice1cost_difference_1_15_value else
-        slice1shift_search_1_15;
-      slice1cost_difference_1_15_choice_2 := slice1shift_search_1_15 when slice1cost_difference_1_15_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_15_value then
+        slice1cost_difference_1_15_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_15_choice := slice1shift_search_1_15;
+      end if;
+      if slice1cost_difference_1_15_value then
+        slice1cost_difference_1_15_choice_2 := slice1shift_search_1_15;
+      else
+        slice1cost_difference_1_15_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_16_value := ((slice1cost_signs_ready_words_1 / 65536) mod 2) = 1;
-      slice1cost_difference_1_16_choice := slice1shift_reference_1 when slice1cost_difference_1_16_value else
-        slice1shift_search_1_16;
-      slice1cost_difference_1_16_choice_2 := slice1shift_search_1_16 when slice1cost_difference_1_16_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_16_value then
+        slice1cost_difference_1_16_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_16_choice := slice1shift_search_1_16;
+      end if;
+      if slice1cost_difference_1_16_value then
+        slice1cost_difference_1_16_choice_2 := slice1shift_search_1_16;
+      else
+        slice1cost_difference_1_16_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_17_value := ((slice1cost_signs_ready_words_1 / 131072) mod 2) = 1;
-      slice1cost_difference_1_17_choice := slice1shift_reference_1 when slice1cost_difference_1_17_value else
-        slice1shift_search_1_17;
-      slice1cost_difference_1_17_choice_2 := slice1shift_search_1_17 when slice1cost_difference_1_17_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_17_value then
+        slice1cost_difference_1_17_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_17_choice := slice1shift_search_1_17;
+      end if;
+      if slice1cost_difference_1_17_value then
+        slice1cost_difference_1_17_choice_2 := slice1shift_search_1_17;
+      else
+        slice1cost_difference_1_17_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_18_value := ((slice1cost_signs_ready_words_1 / 262144) mod 2) = 1;
-      slice1cost_difference_1_18_choice := slice1shift_reference_1 when slice1cost_difference_1_18_value else
-        slice1shift_search_1_18;
-      slice1cost_difference_1_18_choice_2 := slice1shift_search_1_18 when slice1cost_difference_1_18_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_18_value then
+        slice1cost_difference_1_18_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_18_choice := slice1shift_search_1_18;
+      end if;
+      if slice1cost_difference_1_18_value then
+        slice1cost_difference_1_18_choice_2 := slice1shift_search_1_18;
+      else
+        slice1cost_difference_1_18_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_19_value := ((slice1cost_signs_ready_words_1 / 524288) mod 2) = 1;
-      slice1cost_difference_1_19_choice := slice1shift_reference_1 when slice1cost_difference_1_19_value else
-        slice1shift_search_1_19;
-      slice1cost_difference_1_19_choice_2 := slice1shift_search_1_19 when slice1cost_difference_1_19_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_19_value then
+        slice1cost_difference_1_19_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_19_choice := slice1shift_search_1_19;
+      end if;
+      if slice1cost_difference_1_19_value then
+        slice1cost_difference_1_19_choice_2 := slice1shift_search_1_19;
+      else
+        slice1cost_difference_1_19_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_20_value := ((slice1cost_signs_ready_words_1 / 1048576) mod 2) = 1;
-      slice1cost_difference_1_20_choice := slice1shift_reference_1 when slice1cost_difference_1_20_value else
-        slice1shift_search_1_20;
-      slice1cost_difference_1_20_choice_2 := slice1shift_search_1_20 when slice1cost_difference_1_20_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_20_value then
+        slice1cost_difference_1_20_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_20_choice := slice1shift_search_1_20;
+      end if;
+      if slice1cost_difference_1_20_value then
+        slice1cost_difference_1_20_choice_2 := slice1shift_search_1_20;
+      else
+        slice1cost_difference_1_20_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_21_value := ((slice1cost_signs_ready_words_1 / 2097152) mod 2) = 1;
-      slice1cost_difference_1_21_choice := slice1shift_reference_1 when slice1cost_difference_1_21_value else
-        slice1shift_search_1_21;
-      slice1cost_difference_1_21_choice_2 := slice1shift_search_1_21 when slice1cost_difference_1_21_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_21_value then
+        slice1cost_difference_1_21_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_21_choice := slice1shift_search_1_21;
+      end if;
+      if slice1cost_difference_1_21_value then
+        slice1cost_difference_1_21_choice_2 := slice1shift_search_1_21;
+      else
+        slice1cost_difference_1_21_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_22_value := ((slice1cost_signs_ready_words_1 / 4194304) mod 2) = 1;
-      slice1cost_difference_1_22_choice := slice1shift_reference_1 when slice1cost_difference_1_22_value else
-        slice1shift_search_1_22;
-      slice1cost_difference_1_22_choice_2 := slice1shift_search_1_22 when slice1cost_difference_1_22_value else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_22_value then
+        slice1cost_difference_1_22_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_22_choice := slice1shift_search_1_22;
+      end if;
+      if slice1cost_difference_1_22_value then
+        slice1cost_difference_1_22_choice_2 := slice1shift_search_1_22;
+      else
+        slice1cost_difference_1_22_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_23_value := ((slice1cost_signs_ready_words_1 / 8388608) mod 2) = 1;
-      slice1cost_difference_1_23_choice := slice1shift_reference_1 when slice1cost_difference_1_23_value else
-        slice1shift_search_1_23;
-      slice1cost_difference_1_23_choice_2 := slice1shift_search_1_23 when slice1cost_difference_1_23_value else
-        slice1shift_reference_1;
-      slice1cost_difference_1_24_choice := slice1shift_reference_1 when (slice1cost_signs_ready_words_1 / 16777216) = 1
-        else slice1shift_search_1_24;
-      slice1cost_difference_1_24_choice_2 := slice1shift_search_1_24 when (slice1cost_signs_ready_words_1 / 16777216) =
-        1 else slice1shift_reference_1;
+      if slice1cost_difference_1_23_value then
+        slice1cost_difference_1_23_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_23_choice := slice1shift_search_1_23;
+      end if;
+      if slice1cost_difference_1_23_value then
+        slice1cost_difference_1_23_choice_2 := slice1shift_search_1_23;
+      else
+        slice1cost_difference_1_23_choice_2 := slice1shift_reference_1;
+      end if;
+      if (slice1cost_signs_ready_words_1 / 16777216) = 1 then
+        slice1cost_difference_1_24_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_24_choice := slice1shift_search_1_24;
+      end if;
+      if (slice1cost_signs_ready_words_1 / 16777216) = 1 then
+        slice1cost_difference_1_24_choice_2 := slice1shift_search_1_24;
+      else
+        slice1cost_difference_1_24_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_2_0_difference := slice1shift_search_2_0 - slice1shift_reference_2;
       slice1cost_difference_2_1_difference := slice1shift_search_2_1 - slice1shift_reference_2;
       slice1cost_difference_2_2_difference := slice1shift_search_2_2 - slice1shift_reference_2;
@@ -2701,56 +3520,6 @@ begin
       slice1cost_difference_1_22 <= (slice1cost_difference_1_22_choice - slice1cost_difference_1_22_choice_2) mod 256;
       slice1cost_difference_1_23 <= (slice1cost_difference_1_23_choice - slice1cost_difference_1_23_choice_2) mod 256;
       slice1cost_difference_1_24 <= (slice1cost_difference_1_24_choice - slice1cost_difference_1_24_choice_2) mod 256;
-      slice1cost_difference_2_0 <= slice1cost_difference_2_0_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_1 <= slice1cost_difference_2_1_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_2 <= slice1cost_difference_2_2_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_3 <= slice1cost_difference_2_3_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_4 <= slice1cost_difference_2_4_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_5 <= slice1cost_difference_2_5_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_6 <= slice1cost_difference_2_6_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_7 <= slice1cost_difference_2_7_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_8 <= slice1cost_difference_2_8_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_9 <= slice1cost_difference_2_9_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_10 <= slice1cost_difference_2_10_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_11 <= slice1cost_difference_2_11_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_12 <= slice1cost_difference_2_12_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_13 <= slice1cost_difference_2_13_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_14 <= slice1cost_difference_2_14_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_15 <= slice1cost_difference_2_15_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_16 <= slice1cost_difference_2_16_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_17 <= slice1cost_difference_2_17_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_18 <= slice1cost_difference_2_18_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_19 <= slice1cost_difference_2_19_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_20 <= slice1cost_difference_2_20_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_21 <= slice1cost_difference_2_21_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_22 <= slice1cost_difference_2_22_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_23 <= slice1cost_difference_2_23_difference when slice0cost_difference_tag_newest_inside
-        else 0;
-      slice1cost_difference_2_24 <= slice1cost_difference_2_24_difference when slice0cost_difference_tag_newest_inside
-        else 0;
       slice1cost_newest_negative_0_0 <= slice1cost_difference_2_0_difference < 0;
       slice1cost_newest_negative_0_1 <= slice1cost_difference_2_1_difference < 0;
       slice1cost_newest_negative_0_2 <= slice1cost_difference_2_2_difference < 0;
@@ -2851,32 +3620,113 @@ begin
       slice1cost_single_0_22 <= slice1cost_difference_0_22;
       slice1cost_single_0_23 <= slice1cost_difference_0_23;
       slice1cost_single_0_24 <= slice1cost_difference_0_24;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_3 + slice1cost_single_0_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_4 + slice1cost_single_0_4;
-      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_5 + slice1cost_single_0_5;
-      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_6 + slice1cost_single_0_6;
-      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_7 + slice1cost_single_0_7;
-      slice1cost_column_0_8 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_8 + slice1cost_single_0_8;
-      slice1cost_column_0_9 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_9 + slice1cost_single_0_9;
-      slice1cost_column_0_10 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_10 + slice1cost_single_0_10;
-      slice1cost_column_0_11 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_11 + slice1cost_single_0_11;
-      slice1cost_column_0_12 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_12 + slice1cost_single_0_12;
-      slice1cost_column_0_13 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_13 + slice1cost_single_0_13;
-      slice1cost_column_0_14 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_14 + slice1cost_single_0_14;
-      slice1cost_column_0_15 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_15 + slice1cost_single_0_15;
-      slice1cost_column_0_16 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_16 + slice1cost_single_0_16;
-      slice1cost_column_0_17 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_17 + slice1cost_single_0_17;
-      slice1cost_column_0_18 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_18 + slice1cost_single_0_18;
-      slice1cost_column_0_19 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_19 + slice1cost_single_0_19;
-      slice1cost_column_0_20 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_20 + slice1cost_single_0_20;
-      slice1cost_column_0_21 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_21 + slice1cost_single_0_21;
-      slice1cost_column_0_22 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_22 + slice1cost_single_0_22;
-      slice1cost_column_0_23 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_23 + slice1cost_single_0_23;
-      slice1cost_column_0_24 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_24 + slice1cost_single_0_24;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_difference_tag_newest_inside then
+        slice1cost_difference_2_0 <= slice1cost_difference_2_0_difference;
+        slice1cost_difference_2_1 <= slice1cost_difference_2_1_difference;
+        slice1cost_difference_2_2 <= slice1cost_difference_2_2_difference;
+        slice1cost_difference_2_3 <= slice1cost_difference_2_3_difference;
+        slice1cost_difference_2_4 <= slice1cost_difference_2_4_difference;
+        slice1cost_difference_2_5 <= slice1cost_difference_2_5_difference;
+        slice1cost_difference_2_6 <= slice1cost_difference_2_6_difference;
+        slice1cost_difference_2_7 <= slice1cost_difference_2_7_difference;
+        slice1cost_difference_2_8 <= slice1cost_difference_2_8_difference;
+        slice1cost_difference_2_9 <= slice1cost_difference_2_9_difference;
+        slice1cost_difference_2_10 <= slice1cost_difference_2_10_difference;
+        slice1cost_difference_2_11 <= slice1cost_difference_2_11_difference;
+        slice1cost_difference_2_12 <= slice1cost_difference_2_12_difference;
+        slice1cost_difference_2_13 <= slice1cost_difference_2_13_difference;
+        slice1cost_difference_2_14 <= slice1cost_difference_2_14_difference;
+        slice1cost_difference_2_15 <= slice1cost_difference_2_15_difference;
+        slice1cost_difference_2_16 <= slice1cost_difference_2_16_difference;
+        slice1cost_difference_2_17 <= slice1cost_difference_2_17_difference;
+        slice1cost_difference_2_18 <= slice1cost_difference_2_18_difference;
+        slice1cost_difference_2_19 <= slice1cost_difference_2_19_difference;
+        slice1cost_difference_2_20 <= slice1cost_difference_2_20_difference;
+        slice1cost_difference_2_21 <= slice1cost_difference_2_21_difference;
+        slice1cost_difference_2_22 <= slice1cost_difference_2_22_difference;
+        slice1cost_difference_2_23 <= slice1cost_difference_2_23_difference;
+        slice1cost_difference_2_24 <= slice1cost_difference_2_24_difference;
+      else
+        slice1cost_difference_2_0 <= 0;
+        slice1cost_difference_2_1 <= 0;
+        slice1cost_difference_2_2 <= 0;
+        slice1cost_difference_2_3 <= 0;
+        slice1cost_difference_2_4 <= 0;
+        slice1cost_difference_2_5 <= 0;
+        slice1cost_difference_2_6 <= 0;
+        slice1cost_difference_2_7 <= 0;
+        slice1cost_difference_2_8 <= 0;
+        slice1cost_difference_2_9 <= 0;
+        slice1cost_difference_2_10 <= 0;
+        slice1cost_difference_2_11 <= 0;
+        slice1cost_difference_2_12 <= 0;
+        slice1cost_difference_2_13 <= 0;
+        slice1cost_difference_2_14 <= 0;
+        slice1cost_difference_2_15 <= 0;
+        slice1cost_difference_2_16 <= 0;
+        slice1cost_difference_2_17 <= 0;
+        slice1cost_difference_2_18 <= 0;
+        slice1cost_difference_2_19 <= 0;
+        slice1cost_difference_2_20 <= 0;
+        slice1cost_difference_2_21 <= 0;
+        slice1cost_difference_2_22 <= 0;
+        slice1cost_difference_2_23 <= 0;
+        slice1cost_difference_2_24 <= 0;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+        slice1cost_column_0_5 <= 0;
+        slice1cost_column_0_6 <= 0;
+        slice1cost_column_0_7 <= 0;
+        slice1cost_column_0_8 <= 0;
+        slice1cost_column_0_9 <= 0;
+        slice1cost_column_0_10 <= 0;
+        slice1cost_column_0_11 <= 0;
+        slice1cost_column_0_12 <= 0;
+        slice1cost_column_0_13 <= 0;
+        slice1cost_column_0_14 <= 0;
+        slice1cost_column_0_15 <= 0;
+        slice1cost_column_0_16 <= 0;
+        slice1cost_column_0_17 <= 0;
+        slice1cost_column_0_18 <= 0;
+        slice1cost_column_0_19 <= 0;
+        slice1cost_column_0_20 <= 0;
+        slice1cost_column_0_21 <= 0;
+        slice1cost_column_0_22 <= 0;
+        slice1cost_column_0_23 <= 0;
+        slice1cost_column_0_24 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_column_0_3 <= slice1cost_pair_0_3 + slice1cost_single_0_3;
+        slice1cost_column_0_4 <= slice1cost_pair_0_4 + slice1cost_single_0_4;
+        slice1cost_column_0_5 <= slice1cost_pair_0_5 + slice1cost_single_0_5;
+        slice1cost_column_0_6 <= slice1cost_pair_0_6 + slice1cost_single_0_6;
+        slice1cost_column_0_7 <= slice1cost_pair_0_7 + slice1cost_single_0_7;
+        slice1cost_column_0_8 <= slice1cost_pair_0_8 + slice1cost_single_0_8;
+        slice1cost_column_0_9 <= slice1cost_pair_0_9 + slice1cost_single_0_9;
+        slice1cost_column_0_10 <= slice1cost_pair_0_10 + slice1cost_single_0_10;
+        slice1cost_column_0_11 <= slice1cost_pair_0_11 + slice1cost_single_0_11;
+        slice1cost_column_0_12 <= slice1cost_pair_0_12 + slice1cost_single_0_12;
+        slice1cost_column_0_13 <= slice1cost_pair_0_13 + slice1cost_single_0_13;
+        slice1cost_column_0_14 <= slice1cost_pair_0_14 + slice1cost_single_0_14;
+        slice1cost_column_0_15 <= slice1cost_pair_0_15 + slice1cost_single_0_15;
+        slice1cost_column_0_16 <= slice1cost_pair_0_16 + slice1cost_single_0_16;
+        slice1cost_column_0_17 <= slice1cost_pair_0_17 + slice1cost_single_0_17;
+        slice1cost_column_0_18 <= slice1cost_pair_0_18 + slice1cost_single_0_18;
+        slice1cost_column_0_19 <= slice1cost_pair_0_19 + slice1cost_single_0_19;
+        slice1cost_column_0_20 <= slice1cost_pair_0_20 + slice1cost_single_0_20;
+        slice1cost_column_0_21 <= slice1cost_pair_0_21 + slice1cost_single_0_21;
+        slice1cost_column_0_22 <= slice1cost_pair_0_22 + slice1cost_single_0_22;
+        slice1cost_column_0_23 <= slice1cost_pair_0_23 + slice1cost_single_0_23;
+        slice1cost_column_0_24 <= slice1cost_pair_0_24 + slice1cost_single_0_24;
+      end if;
       if slice0cost_pair_tag_valid then
         slice1cost_signs_write_words_0 <= slice1cost_signs_known_words_1;
         slice1cost_signs_write_words_1 <= (as_number(slice1cost_newest_negative_0_23) * 8388608) +
@@ -2985,43 +3835,90 @@ begin
       slice1winner1_best_cost_0_9_is_less := (slice1window_sum_0_19 - slice1window_sum_0_18) < 0;
       slice1winner1_best_cost_0_10_is_less := (slice1window_sum_0_21 - slice1window_sum_0_20) < 0;
       slice1winner1_best_cost_0_11_is_less := (slice1window_sum_0_23 - slice1window_sum_0_22) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
-        slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
-        slice1window_sum_0_10;
-      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
-        slice1window_sum_0_12;
-      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
-        slice1window_sum_0_14;
-      slice1winner1_best_cost_0_8 <= slice1window_sum_0_17 when slice1winner1_best_cost_0_8_is_less else
-        slice1window_sum_0_16;
-      slice1winner1_best_cost_0_9 <= slice1window_sum_0_19 when slice1winner1_best_cost_0_9_is_less else
-        slice1window_sum_0_18;
-      slice1winner1_best_cost_0_10 <= slice1window_sum_0_21 when slice1winner1_best_cost_0_10_is_less else
-        slice1window_sum_0_20;
-      slice1winner1_best_cost_0_11 <= slice1window_sum_0_23 when slice1winner1_best_cost_0_11_is_less else
-        slice1window_sum_0_22;
       slice1winner1_best_cost_0_12 <= slice1window_sum_0_24;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
-      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
-      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
-      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
-      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
-      slice1winner1_best_index_0_8 <= 17 when slice1winner1_best_cost_0_8_is_less else 16;
-      slice1winner1_best_index_0_9 <= 19 when slice1winner1_best_cost_0_9_is_less else 18;
-      slice1winner1_best_index_0_10 <= 21 when slice1winner1_best_cost_0_10_is_less else 20;
-      slice1winner1_best_index_0_11 <= 23 when slice1winner1_best_cost_0_11_is_less else 22;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+      end if;
+      if slice1winner1_best_cost_0_1_is_less then
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+        slice1winner1_best_index_0_1 <= 3;
+      else
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_index_0_1 <= 2;
+      end if;
+      if slice1winner1_best_cost_0_2_is_less then
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+        slice1winner1_best_index_0_2 <= 5;
+      else
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_index_0_2 <= 4;
+      end if;
+      if slice1winner1_best_cost_0_3_is_less then
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_7;
+        slice1winner1_best_index_0_3 <= 7;
+      else
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_index_0_3 <= 6;
+      end if;
+      if slice1winner1_best_cost_0_4_is_less then
+        slice1winner1_best_cost_0_4 <= slice1window_sum_0_9;
+        slice1winner1_best_index_0_4 <= 9;
+      else
+        slice1winner1_best_cost_0_4 <= slice1window_sum_0_8;
+        slice1winner1_best_index_0_4 <= 8;
+      end if;
+      if slice1winner1_best_cost_0_5_is_less then
+        slice1winner1_best_cost_0_5 <= slice1window_sum_0_11;
+        slice1winner1_best_index_0_5 <= 11;
+      else
+        slice1winner1_best_cost_0_5 <= slice1window_sum_0_10;
+        slice1winner1_best_index_0_5 <= 10;
+      end if;
+      if slice1winner1_best_cost_0_6_is_less then
+        slice1winner1_best_cost_0_6 <= slice1window_sum_0_13;
+        slice1winner1_best_index_0_6 <= 13;
+      else
+        slice1winner1_best_cost_0_6 <= slice1window_sum_0_12;
+        slice1winner1_best_index_0_6 <= 12;
+      end if;
+      if slice1winner1_best_cost_0_7_is_less then
+        slice1winner1_best_cost_0_7 <= slice1window_sum_0_15;
+        slice1winner1_best_index_0_7 <= 15;
+      else
+        slice1winner1_best_cost_0_7 <= slice1window_sum_0_14;
+        slice1winner1_best_index_0_7 <= 14;
+      end if;
+      if slice1winner1_best_cost_0_8_is_less then
+        slice1winner1_best_cost_0_8 <= slice1window_sum_0_17;
+        slice1winner1_best_index_0_8 <= 17;
+      else
+        slice1winner1_best_cost_0_8 <= slice1window_sum_0_16;
+        slice1winner1_best_index_0_8 <= 16;
+      end if;
+      if slice1winner1_best_cost_0_9_is_less then
+        slice1winner1_best_cost_0_9 <= slice1window_sum_0_19;
+        slice1winner1_best_index_0_9 <= 19;
+      else
+        slice1winner1_best_cost_0_9 <= slice1window_sum_0_18;
+        slice1winner1_best_index_0_9 <= 18;
+      end if;
+      if slice1winner1_best_cost_0_10_is_less then
+        slice1winner1_best_cost_0_10 <= slice1window_sum_0_21;
+        slice1winner1_best_index_0_10 <= 21;
+      else
+        slice1winner1_best_cost_0_10 <= slice1window_sum_0_20;
+        slice1winner1_best_index_0_10 <= 20;
+      end if;
+      if slice1winner1_best_cost_0_11_is_less then
+        slice1winner1_best_cost_0_11 <= slice1window_sum_0_23;
+        slice1winner1_best_index_0_11 <= 23;
+      else
+        slice1winner1_best_cost_0_11 <= slice1window_sum_0_22;
+        slice1winner1_best_index_0_11 <= 22;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
@@ -3029,74 +3926,114 @@ begin
       slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
       slice1winner2_best_cost_0_4_is_less := (slice1winner1_best_cost_0_9 - slice1winner1_best_cost_0_8) < 0;
       slice1winner2_best_cost_0_5_is_less := (slice1winner1_best_cost_0_11 - slice1winner1_best_cost_0_10) < 0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_cost_0_4;
-      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_cost_0_6;
-      slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_9 when slice1winner2_best_cost_0_4_is_less else
-        slice1winner1_best_cost_0_8;
-      slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_11 when slice1winner2_best_cost_0_5_is_less else
-        slice1winner1_best_cost_0_10;
       slice1winner2_best_cost_0_6 <= slice1winner1_best_cost_0_12;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_index_0_2;
-      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_index_0_4;
-      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_index_0_6;
-      slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9 when slice1winner2_best_cost_0_4_is_less else
-        slice1winner1_best_index_0_8;
-      slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11 when slice1winner2_best_cost_0_5_is_less else
-        slice1winner1_best_index_0_10;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+      end if;
+      if slice1winner2_best_cost_0_1_is_less then
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
+      else
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+      end if;
+      if slice1winner2_best_cost_0_2_is_less then
+        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5;
+        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
+      else
+        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_4;
+        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
+      end if;
+      if slice1winner2_best_cost_0_3_is_less then
+        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7;
+        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
+      else
+        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_6;
+        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
+      end if;
+      if slice1winner2_best_cost_0_4_is_less then
+        slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_9;
+        slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9;
+      else
+        slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_8;
+        slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_8;
+      end if;
+      if slice1winner2_best_cost_0_5_is_less then
+        slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_11;
+        slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11;
+      else
+        slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_10;
+        slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_10;
+      end if;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
       slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
       slice1winner3_best_cost_0_2_is_less := (slice1winner2_best_cost_0_5 - slice1winner2_best_cost_0_4) < 0;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_cost_0_2;
-      slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_5 when slice1winner3_best_cost_0_2_is_less else
-        slice1winner2_best_cost_0_4;
       slice1winner3_best_cost_0_3 <= slice1winner2_best_cost_0_6;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
-      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_index_0_2;
-      slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5 when slice1winner3_best_cost_0_2_is_less else
-        slice1winner2_best_index_0_4;
+      if slice1winner3_best_cost_0_0_is_less then
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
+      else
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
+      end if;
+      if slice1winner3_best_cost_0_1_is_less then
+        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3;
+        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
+      else
+        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_2;
+        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
+      end if;
+      if slice1winner3_best_cost_0_2_is_less then
+        slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_5;
+        slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5;
+      else
+        slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_4;
+        slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_4;
+      end if;
       -- slice1winner4
       slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
       slice1winner4_best_cost_0_1_is_less := (slice1winner3_best_cost_0_3 - slice1winner3_best_cost_0_2) < 0;
-      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_cost_0_0;
-      slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_3 when slice1winner4_best_cost_0_1_is_less else
-        slice1winner3_best_cost_0_2;
-      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_index_0_0;
-      slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_0_1_is_less else
-        slice1winner3_best_index_0_2;
+      if slice1winner4_best_cost_0_0_is_less then
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1;
+        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
+      else
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
+      end if;
+      if slice1winner4_best_cost_0_1_is_less then
+        slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_3;
+        slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_2;
+        slice1winner4_best_index_0_1 <= slice1winner3_best_index_0_2;
+      end if;
       -- slice1winner5
       slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0_1 - slice1winner4_best_cost_0_0) < 0;
-      slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1 when slice1winner5_best_cost_0_0_is_less else
-        slice1winner4_best_cost_0_0;
-      slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1 when slice1winner5_best_cost_0_0_is_less else
-        slice1winner4_best_index_0_0;
+      if slice1winner5_best_cost_0_0_is_less then
+        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1;
+        slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1;
+      else
+        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_0;
+        slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_0;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner5_best_cost_0_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner5_best_index_0_0 / 2) + 25) * 2) + (slice1winner5_best_index_0_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner5_best_cost_0_0;
+        slice1_best_index_0_0 <= (((slice1winner5_best_index_0_0 / 2) + 25) * 2) + (slice1winner5_best_index_0_0 mod 2);
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -3185,252 +4122,552 @@ begin
       if slice0cost_pair_tag_valid then
         slice2cost_signs_difference_column <= slice1cost_signs_difference_column;
       end if;
-      slice2cost_difference_0_0_choice := slice2shift_reference_0 when (slice2cost_signs_ready_words_0 mod 2) = 1 else
-        slice2shift_search_0_0;
-      slice2cost_difference_0_0_choice_2 := slice2shift_search_0_0 when (slice2cost_signs_ready_words_0 mod 2) = 1 else
-        slice2shift_reference_0;
+      if (slice2cost_signs_ready_words_0 mod 2) = 1 then
+        slice2cost_difference_0_0_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_0_choice := slice2shift_search_0_0;
+      end if;
+      if (slice2cost_signs_ready_words_0 mod 2) = 1 then
+        slice2cost_difference_0_0_choice_2 := slice2shift_search_0_0;
+      else
+        slice2cost_difference_0_0_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_1_value := ((slice2cost_signs_ready_words_0 / 2) mod 2) = 1;
-      slice2cost_difference_0_1_choice := slice2shift_reference_0 when slice2cost_difference_0_1_value else
-        slice2shift_search_0_1;
-      slice2cost_difference_0_1_choice_2 := slice2shift_search_0_1 when slice2cost_difference_0_1_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_1_value then
+        slice2cost_difference_0_1_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_1_choice := slice2shift_search_0_1;
+      end if;
+      if slice2cost_difference_0_1_value then
+        slice2cost_difference_0_1_choice_2 := slice2shift_search_0_1;
+      else
+        slice2cost_difference_0_1_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_2_value := ((slice2cost_signs_ready_words_0 / 4) mod 2) = 1;
-      slice2cost_difference_0_2_choice := slice2shift_reference_0 when slice2cost_difference_0_2_value else
-        slice2shift_search_0_2;
-      slice2cost_difference_0_2_choice_2 := slice2shift_search_0_2 when slice2cost_difference_0_2_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_2_value then
+        slice2cost_difference_0_2_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_2_choice := slice2shift_search_0_2;
+      end if;
+      if slice2cost_difference_0_2_value then
+        slice2cost_difference_0_2_choice_2 := slice2shift_search_0_2;
+      else
+        slice2cost_difference_0_2_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_3_value := ((slice2cost_signs_ready_words_0 / 8) mod 2) = 1;
-      slice2cost_difference_0_3_choice := slice2shift_reference_0 when slice2cost_difference_0_3_value else
-        slice2shift_search_0_3;
-      slice2cost_difference_0_3_choice_2 := slice2shift_search_0_3 when slice2cost_difference_0_3_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_3_value then
+        slice2cost_difference_0_3_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_3_choice := slice2shift_search_0_3;
+      end if;
+      if slice2cost_difference_0_3_value then
+        slice2cost_difference_0_3_choice_2 := slice2shift_search_0_3;
+      else
+        slice2cost_difference_0_3_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_4_value := ((slice2cost_signs_ready_words_0 / 16) mod 2) = 1;
-      slice2cost_difference_0_4_choice := slice2shift_reference_0 when slice2cost_difference_0_4_value else
-        slice2shift_search_0_4;
-      slice2cost_difference_0_4_choice_2 := slice2shift_search_0_4 when slice2cost_difference_0_4_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_4_value then
+        slice2cost_difference_0_4_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_4_choice := slice2shift_search_0_4;
+      end if;
+      if slice2cost_difference_0_4_value then
+        slice2cost_difference_0_4_choice_2 := slice2shift_search_0_4;
+      else
+        slice2cost_difference_0_4_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_5_value := ((slice2cost_signs_ready_words_0 / 32) mod 2) = 1;
-      slice2cost_difference_0_5_choice := slice2shift_reference_0 when slice2cost_difference_0_5_value else
-        slice2shift_search_0_5;
-      slice2cost_difference_0_5_choice_2 := slice2shift_search_0_5 when slice2cost_difference_0_5_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_5_value then
+        slice2cost_difference_0_5_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_5_choice := slice2shift_search_0_5;
+      end if;
+      if slice2cost_difference_0_5_value then
+        slice2cost_difference_0_5_choice_2 := slice2shift_search_0_5;
+      else
+        slice2cost_difference_0_5_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_6_value := ((slice2cost_signs_ready_words_0 / 64) mod 2) = 1;
-      slice2cost_difference_0_6_choice := slice2shift_reference_0 when slice2cost_difference_0_6_value else
-        slice2shift_search_0_6;
-      slice2cost_difference_0_6_choice_2 := slice2shift_search_0_6 when slice2cost_difference_0_6_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_6_value then
+        slice2cost_difference_0_6_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_6_choice := slice2shift_search_0_6;
+      end if;
+      if slice2cost_difference_0_6_value then
+        slice2cost_difference_0_6_choice_2 := slice2shift_search_0_6;
+      else
+        slice2cost_difference_0_6_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_7_value := ((slice2cost_signs_ready_words_0 / 128) mod 2) = 1;
-      slice2cost_difference_0_7_choice := slice2shift_reference_0 when slice2cost_difference_0_7_value else
-        slice2shift_search_0_7;
-      slice2cost_difference_0_7_choice_2 := slice2shift_search_0_7 when slice2cost_difference_0_7_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_7_value then
+        slice2cost_difference_0_7_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_7_choice := slice2shift_search_0_7;
+      end if;
+      if slice2cost_difference_0_7_value then
+        slice2cost_difference_0_7_choice_2 := slice2shift_search_0_7;
+      else
+        slice2cost_difference_0_7_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_8_value := ((slice2cost_signs_ready_words_0 / 256) mod 2) = 1;
-      slice2cost_difference_0_8_choice := slice2shift_reference_0 when slice2cost_difference_0_8_value else
-        slice2shift_search_0_8;
-      slice2cost_difference_0_8_choice_2 := slice2shift_search_0_8 when slice2cost_difference_0_8_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_8_value then
+        slice2cost_difference_0_8_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_8_choice := slice2shift_search_0_8;
+      end if;
+      if slice2cost_difference_0_8_value then
+        slice2cost_difference_0_8_choice_2 := slice2shift_search_0_8;
+      else
+        slice2cost_difference_0_8_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_9_value := ((slice2cost_signs_ready_words_0 / 512) mod 2) = 1;
-      slice2cost_difference_0_9_choice := slice2shift_reference_0 when slice2cost_difference_0_9_value else
-        slice2shift_search_0_9;
-      slice2cost_difference_0_9_choice_2 := slice2shift_search_0_9 when slice2cost_difference_0_9_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_9_value then
+        slice2cost_difference_0_9_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_9_choice := slice2shift_search_0_9;
+      end if;
+      if slice2cost_difference_0_9_value then
+        slice2cost_difference_0_9_choice_2 := slice2shift_search_0_9;
+      else
+        slice2cost_difference_0_9_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_10_value := ((slice2cost_signs_ready_words_0 / 1024) mod 2) = 1;
-      slice2cost_difference_0_10_choice := slice2shift_reference_0 when slice2cost_difference_0_10_value else
-        slice2shift_search_0_10;
-      slice2cost_difference_0_10_choice_2 := slice2shift_search_0_10 when slice2cost_difference_0_10_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_10_value then
+        slice2cost_difference_0_10_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_10_choice := slice2shift_search_0_10;
+      end if;
+      if slice2cost_difference_0_10_value then
+        slice2cost_difference_0_10_choice_2 := slice2shift_search_0_10;
+      else
+        slice2cost_difference_0_10_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_11_value := ((slice2cost_signs_ready_words_0 / 2048) mod 2) = 1;
-      slice2cost_difference_0_11_choice := slice2shift_reference_0 when slice2cost_difference_0_11_value else
-        slice2shift_search_0_11;
-      slice2cost_difference_0_11_choice_2 := slice2shift_search_0_11 when slice2cost_difference_0_11_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_11_value then
+        slice2cost_difference_0_11_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_11_choice := slice2shift_search_0_11;
+      end if;
+      if slice2cost_difference_0_11_value then
+        slice2cost_difference_0_11_choice_2 := slice2shift_search_0_11;
+      else
+        slice2cost_difference_0_11_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_12_value := ((slice2cost_signs_ready_words_0 / 4096) mod 2) = 1;
-      slice2cost_difference_0_12_choice := slice2shift_reference_0 when slice2cost_difference_0_12_value else
-        slice2shift_search_0_12;
-      slice2cost_difference_0_12_choice_2 := slice2shift_search_0_12 when slice2cost_difference_0_12_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_12_value then
+        slice2cost_difference_0_12_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_12_choice := slice2shift_search_0_12;
+      end if;
+      if slice2cost_difference_0_12_value then
+        slice2cost_difference_0_12_choice_2 := slice2shift_search_0_12;
+      else
+        slice2cost_difference_0_12_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_13_value := ((slice2cost_signs_ready_words_0 / 8192) mod 2) = 1;
-      slice2cost_difference_0_13_choice := slice2shift_reference_0 when slice2cost_difference_0_13_value else
-        slice2shift_search_0_13;
-      slice2cost_difference_0_13_choice_2 := slice2shift_search_0_13 when slice2cost_difference_0_13_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_13_value then
+        slice2cost_difference_0_13_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_13_choice := slice2shift_search_0_13;
+      end if;
+      if slice2cost_difference_0_13_value then
+        slice2cost_difference_0_13_choice_2 := slice2shift_search_0_13;
+      else
+        slice2cost_difference_0_13_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_14_value := ((slice2cost_signs_ready_words_0 / 16384) mod 2) = 1;
-      slice2cost_difference_0_14_choice := slice2shift_reference_0 when slice2cost_difference_0_14_value else
-        slice2shift_search_0_14;
-      slice2cost_difference_0_14_choice_2 := slice2shift_search_0_14 when slice2cost_difference_0_14_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_14_value then
+        slice2cost_difference_0_14_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_14_choice := slice2shift_search_0_14;
+      end if;
+      if slice2cost_difference_0_14_value then
+        slice2cost_difference_0_14_choice_2 := slice2shift_search_0_14;
+      else
+        slice2cost_difference_0_14_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_15_value := ((slice2cost_signs_ready_words_0 / 32768) mod 2) = 1;
-      slice2cost_difference_0_15_choice := slice2shift_reference_0 when slice2cost_difference_0_15_value else
-        slice2shift_search_0_15;
-      slice2cost_difference_0_15_choice_2 := slice2shift_search_0_15 when slice2cost_difference_0_15_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_15_value then
+        slice2cost_difference_0_15_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_15_choice := slice2shift_search_0_15;
+      end if;
+      if slice2cost_difference_0_15_value then
+        slice2cost_difference_0_15_choice_2 := slice2shift_search_0_15;
+      else
+        slice2cost_difference_0_15_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_16_value := ((slice2cost_signs_ready_words_0 / 65536) mod 2) = 1;
-      slice2cost_difference_0_16_choice := slice2shift_reference_0 when slice2cost_difference_0_16_value else
-        slice2shift_search_0_16;
-      slice2cost_difference_0_16_choice_2 := slice2shift_search_0_16 when slice2cost_difference_0_16_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_16_value then
+        slice2cost_difference_0_16_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_16_choice := slice2shift_search_0_16;
+      end if;
+      if slice2cost_difference_0_16_value then
+        slice2cost_difference_0_16_choice_2 := slice2shift_search_0_16;
+      else
+        slice2cost_difference_0_16_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_17_value := ((slice2cost_signs_ready_words_0 / 131072) mod 2) = 1;
-      slice2cost_difference_0_17_choice := slice2shift_reference_0 when slice2cost_difference_0_17_value else
-        slice2shift_search_0_17;
-      slice2cost_difference_0_17_choice_2 := slice2shift_search_0_17 when slice2cost_difference_0_17_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_17_value then
+        slice2cost_difference_0_17_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_17_choice := slice2shift_search_0_17;
+      end if;
+      if slice2cost_difference_0_17_value then
+        slice2cost_difference_0_17_choice_2 := slice2shift_search_0_17;
+      else
+        slice2cost_difference_0_17_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_18_value := ((slice2cost_signs_ready_words_0 / 262144) mod 2) = 1;
-      slice2cost_difference_0_18_choice := slice2shift_reference_0 when slice2cost_difference_0_18_value else
-        slice2shift_search_0_18;
-      slice2cost_difference_0_18_choice_2 := slice2shift_search_0_18 when slice2cost_difference_0_18_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_18_value then
+        slice2cost_difference_0_18_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_18_choice := slice2shift_search_0_18;
+      end if;
+      if slice2cost_difference_0_18_value then
+        slice2cost_difference_0_18_choice_2 := slice2shift_search_0_18;
+      else
+        slice2cost_difference_0_18_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_19_value := ((slice2cost_signs_ready_words_0 / 524288) mod 2) = 1;
-      slice2cost_difference_0_19_choice := slice2shift_reference_0 when slice2cost_difference_0_19_value else
-        slice2shift_search_0_19;
-      slice2cost_difference_0_19_choice_2 := slice2shift_search_0_19 when slice2cost_difference_0_19_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_19_value then
+        slice2cost_difference_0_19_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_19_choice := slice2shift_search_0_19;
+      end if;
+      if slice2cost_difference_0_19_value then
+        slice2cost_difference_0_19_choice_2 := slice2shift_search_0_19;
+      else
+        slice2cost_difference_0_19_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_20_value := ((slice2cost_signs_ready_words_0 / 1048576) mod 2) = 1;
-      slice2cost_difference_0_20_choice := slice2shift_reference_0 when slice2cost_difference_0_20_value else
-        slice2shift_search_0_20;
-      slice2cost_difference_0_20_choice_2 := slice2shift_search_0_20 when slice2cost_difference_0_20_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_20_value then
+        slice2cost_difference_0_20_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_20_choice := slice2shift_search_0_20;
+      end if;
+      if slice2cost_difference_0_20_value then
+        slice2cost_difference_0_20_choice_2 := slice2shift_search_0_20;
+      else
+        slice2cost_difference_0_20_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_21_value := ((slice2cost_signs_ready_words_0 / 2097152) mod 2) = 1;
-      slice2cost_difference_0_21_choice := slice2shift_reference_0 when slice2cost_difference_0_21_value else
-        slice2shift_search_0_21;
-      slice2cost_difference_0_21_choice_2 := slice2shift_search_0_21 when slice2cost_difference_0_21_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_21_value then
+        slice2cost_difference_0_21_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_21_choice := slice2shift_search_0_21;
+      end if;
+      if slice2cost_difference_0_21_value then
+        slice2cost_difference_0_21_choice_2 := slice2shift_search_0_21;
+      else
+        slice2cost_difference_0_21_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_22_value := ((slice2cost_signs_ready_words_0 / 4194304) mod 2) = 1;
-      slice2cost_difference_0_22_choice := slice2shift_reference_0 when slice2cost_difference_0_22_value else
-        slice2shift_search_0_22;
-      slice2cost_difference_0_22_choice_2 := slice2shift_search_0_22 when slice2cost_difference_0_22_value else
-        slice2shift_reference_0;
+      if slice2cost_difference_0_22_value then
+        slice2cost_difference_0_22_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_22_choice := slice2shift_search_0_22;
+      end if;
+      if slice2cost_difference_0_22_value then
+        slice2cost_difference_0_22_choice_2 := slice2shift_search_0_22;
+      else
+        slice2cost_difference_0_22_choice_2 := slice2shift_reference_0;
+      end if;
       slice2cost_difference_0_23_value := ((slice2cost_signs_ready_words_0 / 8388608) mod 2) = 1;
-      slice2cost_difference_0_23_choice := slice2shift_reference_0 when slice2cost_difference_0_23_value else
-        slice2shift_search_0_23;
-      slice2cost_difference_0_23_choice_2 := slice2shift_search_0_23 when slice2cost_difference_0_23_value else
-        slice2shift_reference_0;
-      slice2cost_difference_0_24_choice := slice2shift_reference_0 when (slice2cost_signs_ready_words_0 / 16777216) = 1
-        else slice2shift_search_0_24;
-      slice2cost_difference_0_24_choice_2 := slice2shift_search_0_24 when (slice2cost_signs_ready_words_0 / 16777216) =
-        1 else slice2shift_reference_0;
-      slice2cost_difference_1_0_choice := slice2shift_reference_1 when (slice2cost_signs_ready_words_1 mod 2) = 1 else
-        slice2shift_search_1_0;
-      slice2cost_difference_1_0_choice_2 := slice2shift_search_1_0 when (slice2cost_signs_ready_words_1 mod 2) = 1 else
-        slice2shift_reference_1;
+      if slice2cost_difference_0_23_value then
+        slice2cost_difference_0_23_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_23_choice := slice2shift_search_0_23;
+      end if;
+      if slice2cost_difference_0_23_value then
+        slice2cost_difference_0_23_choice_2 := slice2shift_search_0_23;
+      else
+        slice2cost_difference_0_23_choice_2 := slice2shift_reference_0;
+      end if;
+      if (slice2cost_signs_ready_words_0 / 16777216) = 1 then
+        slice2cost_difference_0_24_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_24_choice := slice2shift_search_0_24;
+      end if;
+      if (slice2cost_signs_ready_words_0 / 16777216) = 1 then
+        slice2cost_difference_0_24_choice_2 := slice2shift_search_0_24;
+      else
+        slice2cost_difference_0_24_choice_2 := slice2shift_reference_0;
+      end if;
+      if (slice2cost_signs_ready_words_1 mod 2) = 1 then
+        slice2cost_difference_1_0_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_0_choice := slice2shift_search_1_0;
+      end if;
+      if (slice2cost_signs_ready_words_1 mod 2) = 1 then
+        slice2cost_difference_1_0_choice_2 := slice2shift_search_1_0;
+      else
+        slice2cost_difference_1_0_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_1_value := ((slice2cost_signs_ready_words_1 / 2) mod 2) = 1;
-      slice2cost_difference_1_1_choice := slice2shift_reference_1 when slice2cost_difference_1_1_value else
-        slice2shift_search_1_1;
-      slice2cost_difference_1_1_choice_2 := slice2shift_search_1_1 when slice2cost_difference_1_1_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_1_value then
+        slice2cost_difference_1_1_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_1_choice := slice2shift_search_1_1;
+      end if;
+      if slice2cost_difference_1_1_value then
+        slice2cost_difference_1_1_choice_2 := slice2shift_search_1_1;
+      else
+        slice2cost_difference_1_1_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_2_value := ((slice2cost_signs_ready_words_1 / 4) mod 2) = 1;
-      slice2cost_difference_1_2_choice := slice2shift_reference_1 when slice2cost_difference_1_2_value else
-        slice2shift_search_1_2;
-      slice2cost_difference_1_2_choice_2 := slice2shift_search_1_2 when slice2cost_difference_1_2_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_2_value then
+        slice2cost_difference_1_2_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_2_choice := slice2shift_search_1_2;
+      end if;
+      if slice2cost_difference_1_2_value then
+        slice2cost_difference_1_2_choice_2 := slice2shift_search_1_2;
+      else
+        slice2cost_difference_1_2_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_3_value := ((slice2cost_signs_ready_words_1 / 8) mod 2) = 1;
-      slice2cost_difference_1_3_choice := slice2shift_reference_1 when slice2cost_difference_1_3_value else
-        slice2shift_search_1_3;
-      slice2cost_difference_1_3_choice_2 := slice2shift_search_1_3 when slice2cost_difference_1_3_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_3_value then
+        slice2cost_difference_1_3_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_3_choice := slice2shift_search_1_3;
+      end if;
+      if slice2cost_difference_1_3_value then
+        slice2cost_difference_1_3_choice_2 := slice2shift_search_1_3;
+      else
+        slice2cost_difference_1_3_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_4_value := ((slice2cost_signs_ready_words_1 / 16) mod 2) = 1;
-      slice2cost_difference_1_4_choice := slice2shift_reference_1 when slice2cost_difference_1_4_value else
-        slice2shift_search_1_4;
-      slice2cost_difference_1_4_choice_2 := slice2shift_search_1_4 when slice2cost_difference_1_4_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_4_value then
+        slice2cost_difference_1_4_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_4_choice := slice2shift_search_1_4;
+      end if;
+      if slice2cost_difference_1_4_value then
+        slice2cost_difference_1_4_choice_2 := slice2shift_search_1_4;
+      else
+        slice2cost_difference_1_4_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_5_value := ((slice2cost_signs_ready_words_1 / 32) mod 2) = 1;
-      slice2cost_difference_1_5_choice := slice2shift_reference_1 when slice2cost_difference_1_5_value else
-        slice2shift_search_1_5;
-      slice2cost_difference_1_5_choice_2 := slice2shift_search_1_5 when slice2cost_difference_1_5_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_5_value then
+        slice2cost_difference_1_5_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_5_choice := slice2shift_search_1_5;
+      end if;
+      if slice2cost_difference_1_5_value then
+        slice2cost_difference_1_5_choice_2 := slice2shift_search_1_5;
+      else
+        slice2cost_difference_1_5_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_6_value := ((slice2cost_signs_ready_words_1 / 64) mod 2) = 1;
-      slice2cost_difference_1_6_choice := slice2shift_reference_1 when slice2cost_difference_1_6_value else
-        slice2shift_search_1_6;
-      slice2cost_difference_1_6_choice_2 := slice2shift_search_1_6 when slice2cost_difference_1_6_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_6_value then
+        slice2cost_difference_1_6_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_6_choice := slice2shift_search_1_6;
+      end if;
+      if slice2cost_difference_1_6_value then
+        slice2cost_difference_1_6_choice_2 := slice2shift_search_1_6;
+      else
+        slice2cost_difference_1_6_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_7_value := ((slice2cost_signs_ready_words_1 / 128) mod 2) = 1;
-      slice2cost_difference_1_7_choice := slice2shift_reference_1 when slice2cost_difference_1_7_value else
-        slice2shift_search_1_7;
-      slice2cost_difference_1_7_choice_2 := slice2shift_search_1_7 when slice2cost_difference_1_7_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_7_value then
+        slice2cost_difference_1_7_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_7_choice := slice2shift_search_1_7;
+      end if;
+      if slice2cost_difference_1_7_value then
+        slice2cost_difference_1_7_choice_2 := slice2shift_search_1_7;
+      else
+        slice2cost_difference_1_7_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_8_value := ((slice2cost_signs_ready_words_1 / 256) mod 2) = 1;
-      slice2cost_difference_1_8_choice := slice2shift_reference_1 when slice2cost_difference_1_8_value else
-        slice2shift_search_1_8;
-      slice2cost_difference_1_8_choice_2 := slice2shift_search_1_8 when slice2cost_difference_1_8_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_8_value then
+        slice2cost_difference_1_8_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_8_choice := slice2shift_search_1_8;
+      end if;
+      if slice2cost_difference_1_8_value then
+        slice2cost_difference_1_8_choice_2 := slice2shift_search_1_8;
+      else
+        slice2cost_difference_1_8_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_9_value := ((slice2cost_signs_ready_words_1 / 512) mod 2) = 1;
-      slice2cost_difference_1_9_choice := slice2shift_reference_1 when slice2cost_difference_1_9_value else
-        slice2shift_search_1_9;
-      slice2cost_difference_1_9_choice_2 := slice2shift_search_1_9 when slice2cost_difference_1_9_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_9_value then
+        slice2cost_difference_1_9_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_9_choice := slice2shift_search_1_9;
+      end if;
+      if slice2cost_difference_1_9_value then
+        slice2cost_difference_1_9_choice_2 := slice2shift_search_1_9;
+      else
+        slice2cost_difference_1_9_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_10_value := ((slice2cost_signs_ready_words_1 / 1024) mod 2) = 1;
-      slice2cost_difference_1_10_choice := slice2shift_reference_1 when slice2cost_difference_1_10_value else
-        slice2shift_search_1_10;
-      slice2cost_difference_1_10_choice_2 := slice2shift_search_1_10 when slice2cost_difference_1_10_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_10_value then
+        slice2cost_difference_1_10_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_10_choice := slice2shift_search_1_10;
+      end if;
+      if slice2cost_difference_1_10_value then
+        slice2cost_difference_1_10_choice_2 := slice2shift_search_1_10;
+      else
+        slice2cost_difference_1_10_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_11_value := ((slice2cost_signs_ready_words_1 / 2048) mod 2) = 1;
-      slice2cost_difference_1_11_choice := slice2shift_reference_1 when slice2cost_difference_1_11_value else
-        slice2shift_search_1_11;
-      slice2cost_difference_1_11_choice_2 := slice2shift_search_1_11 when slice2cost_difference_1_11_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_11_value then
+        slice2cost_difference_1_11_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_11_choice := slice2shift_search_1_11;
+      end if;
+      if slice2cost_difference_1_11_value then
+        slice2cost_difference_1_11_choice_2 := slice2shift_search_1_11;
+      else
+        slice2cost_difference_1_11_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_12_value := ((slice2cost_signs_ready_words_1 / 4096) mod 2) = 1;
-      slice2cost_difference_1_12_choice := slice2shift_reference_1 when slice2cost_difference_1_12_value else
-        slice2shift_search_1_12;
-      slice2cost_difference_1_12_choice_2 := slice2shift_search_1_12 when slice2cost_difference_1_12_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_12_value then
+        slice2cost_difference_1_12_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_12_choice := slice2shift_search_1_12;
+      end if;
+      if slice2cost_difference_1_12_value then
+        slice2cost_difference_1_12_choice_2 := slice2shift_search_1_12;
+      else
+        slice2cost_difference_1_12_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_13_value := ((slice2cost_signs_ready_words_1 / 8192) mod 2) = 1;
-      slice2cost_difference_1_13_choice := slice2shift_reference_1 when slice2cost_difference_1_13_value else
-        slice2shift_search_1_13;
-      slice2cost_difference_1_13_choice_2 := slice2shift_search_1_13 when slice2cost_difference_1_13_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_13_value then
+        slice2cost_difference_1_13_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_13_choice := slice2shift_search_1_13;
+      end if;
+      if slice2cost_difference_1_13_value then
+        slice2cost_difference_1_13_choice_2 := slice2shift_search_1_13;
+      else
+        slice2cost_difference_1_13_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_14_value := ((slice2cost_signs_ready_words_1 / 16384) mod 2) = 1;
-      slice2cost_difference_1_14_choice := slice2shift_reference_1 when slice2cost_difference_1_14_value else
-        slice2shift_search_1_14;
-      slice2cost_difference_1_14_choice_2 := slice2shift_search_1_14 when slice2cost_difference_1_14_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_14_value then
+        slice2cost_difference_1_14_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_14_choice := slice2shift_search_1_14;
+      end if;
+      if slice2cost_difference_1_14_value then
+        slice2cost_difference_1_14_choice_2 := slice2shift_search_1_14;
+      else
+        slice2cost_difference_1_14_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_15_value := ((slice2cost_signs_ready_words_1 / 32768) mod 2) = 1;
-      slice2cost_difference_1_15_choice := slice2shift_reference_1 when slice2cost_difference_1_15_value else
-        slice2shift_search_1_15;
-      slice2cost_difference_1_15_choice_2 := slice2shift_search_1_15 when slice2cost_difference_1_15_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_15_value then
+        slice2cost_difference_1_15_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_15_choice := slice2shift_search_1_15;
+      end if;
+      if slice2cost_difference_1_15_value then
+        slice2cost_difference_1_15_choice_2 := slice2shift_search_1_15;
+      else
+        slice2cost_difference_1_15_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_16_value := ((slice2cost_signs_ready_words_1 / 65536) mod 2) = 1;
-      slice2cost_difference_1_16_choice := slice2shift_reference_1 when slice2cost_difference_1_16_value else
-        slice2shift_search_1_16;
-      slice2cost_difference_1_16_choice_2 := slice2shift_search_1_16 when slice2cost_difference_1_16_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_16_value then
+        slice2cost_difference_1_16_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_16_choice := slice2shift_search_1_16;
+      end if;
+      if slice2cost_difference_1_16_value then
+        slice2cost_difference_1_16_choice_2 := slice2shift_search_1_16;
+      else
+        slice2cost_difference_1_16_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_17_value := ((slice2cost_signs_ready_words_1 / 131072) mod 2) = 1;
-      slice2cost_difference_1_17_choice := slice2shift_reference_1 when slice2cost_difference_1_17_value else
-        slice2shift_search_1_17;
-      slice2cost_difference_1_17_choice_2 := slice2shift_search_1_17 when slice2cost_difference_1_17_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_17_value then
+        slice2cost_difference_1_17_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_17_choice := slice2shift_search_1_17;
+      end if;
+      if slice2cost_difference_1_17_value then
+        slice2cost_difference_1_17_choice_2 := slice2shift_search_1_17;
+      else
+        slice2cost_difference_1_17_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_18_value := ((slice2cost_signs_ready_words_1 / 262144) mod 2) = 1;
-      slice2cost_difference_1_18_choice := slice2shift_reference_1 when slice2cost_difference_1_18_value else
-        slice2shift_search_1_18;
-      slice2cost_difference_1_18_choice_2 := slice2shift_search_1_18 when slice2cost_difference_1_18_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_18_value then
+        slice2cost_difference_1_18_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_18_choice := slice2shift_search_1_18;
+      end if;
+      if slice2cost_difference_1_18_value then
+        slice2cost_difference_1_18_choice_2 := slice2shift_search_1_18;
+      else
+        slice2cost_difference_1_18_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_19_value := ((slice2cost_signs_ready_words_1 / 524288) mod 2) = 1;
-      slice2cost_difference_1_19_choice := slice2shift_reference_1 when slice2cost_difference_1_19_value else
-        slice2shift_search_1_19;
-      slice2cost_difference_1_19_choice_2 := slice2shift_search_1_19 when slice2cost_difference_1_19_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_19_value then
+        slice2cost_difference_1_19_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_19_choice := slice2shift_search_1_19;
+      end if;
+      if slice2cost_difference_1_19_value then
+        slice2cost_difference_1_19_choice_2 := slice2shift_search_1_19;
+      else
+        slice2cost_difference_1_19_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_20_value := ((slice2cost_signs_ready_words_1 / 1048576) mod 2) = 1;
-      slice2cost_difference_1_20_choice := slice2shift_reference_1 when slice2cost_difference_1_20_value else
-        slice2shift_search_1_20;
-      slice2cost_difference_1_20_choice_2 := slice2shift_search_1_20 when slice2cost_difference_1_20_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_20_value then
+        slice2cost_difference_1_20_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_20_choice := slice2shift_search_1_20;
+      end if;
+      if slice2cost_difference_1_20_value then
+        slice2cost_difference_1_20_choice_2 := slice2shift_search_1_20;
+      else
+        slice2cost_difference_1_20_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_21_value := ((slice2cost_signs_ready_words_1 / 2097152) mod 2) = 1;
-      slice2cost_difference_1_21_choice := slice2shift_reference_1 when slice2cost_difference_1_21_value else
-        slice2shift_search_1_21;
-      slice2cost_difference_1_21_choice_2 := slice2shift_search_1_21 when slice2cost_difference_1_21_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_21_value then
+        slice2cost_difference_1_21_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_21_choice := slice2shift_search_1_21;
+      end if;
+      if slice2cost_difference_1_21_value then
+        slice2cost_difference_1_21_choice_2 := slice2shift_search_1_21;
+      else
+        slice2cost_difference_1_21_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_22_value := ((slice2cost_signs_ready_words_1 / 4194304) mod 2) = 1;
-      slice2cost_difference_1_22_choice := slice2shift_reference_1 when slice2cost_difference_1_22_value else
-        slice2shift_search_1_22;
-      slice2cost_difference_1_22_choice_2 := slice2shift_search_1_22 when slice2cost_difference_1_22_value else
-        slice2shift_reference_1;
+      if slice2cost_difference_1_22_value then
+        slice2cost_difference_1_22_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_22_choice := slice2shift_search_1_22;
+      end if;
+      if slice2cost_difference_1_22_value then
+        slice2cost_difference_1_22_choice_2 := slice2shift_search_1_22;
+      else
+        slice2cost_difference_1_22_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_1_23_value := ((slice2cost_signs_ready_words_1 / 8388608) mod 2) = 1;
-      slice2cost_difference_1_23_choice := slice2shift_reference_1 when slice2cost_difference_1_23_value else
-        slice2shift_search_1_23;
-      slice2cost_difference_1_23_choice_2 := slice2shift_search_1_23 when slice2cost_difference_1_23_value else
-        slice2shift_reference_1;
-      slice2cost_difference_1_24_choice := slice2shift_reference_1 when (slice2cost_signs_ready_words_1 / 16777216) = 1
-        else slice2shift_search_1_24;
-      slice2cost_difference_1_24_choice_2 := slice2shift_search_1_24 when (slice2cost_signs_ready_words_1 / 16777216) =
-        1 else slice2shift_reference_1;
+      if slice2cost_difference_1_23_value then
+        slice2cost_difference_1_23_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_23_choice := slice2shift_search_1_23;
+      end if;
+      if slice2cost_difference_1_23_value then
+        slice2cost_difference_1_23_choice_2 := slice2shift_search_1_23;
+      else
+        slice2cost_difference_1_23_choice_2 := slice2shift_reference_1;
+      end if;
+      if (slice2cost_signs_ready_words_1 / 16777216) = 1 then
+        slice2cost_difference_1_24_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_24_choice := slice2shift_search_1_24;
+      end if;
+      if (slice2cost_signs_ready_words_1 / 16777216) = 1 then
+        slice2cost_difference_1_24_choice_2 := slice2shift_search_1_24;
+      else
+        slice2cost_difference_1_24_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_2_0_difference := slice2shift_search_2_0 - slice2shift_reference_2;
       slice2cost_difference_2_1_difference := slice2shift_search_2_1 - slice2shift_reference_2;
       slice2cost_difference_2_2_difference := slice2shift_search_2_2 - slice2shift_reference_2;
@@ -3510,31 +4747,6 @@ begin
       slice2cost_difference_1_22 <= (slice2cost_difference_1_22_choice - slice2cost_difference_1_22_choice_2) mod 256;
       slice2cost_difference_1_23 <= (slice2cost_difference_1_23_choice - slice2cost_difference_1_23_choice_2) mod 256;
       slice2cost_difference_1_24 <= (slice2cost_difference_1_24_choice - slice2cost_difference_1_24_choice_2) mod 256;
-      slice2cost_difference_2_0 <= slice2cost_difference_2_0_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_1 <= slice2cost_difference_2_1_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_2 <= slice2cost_difference_2_2_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_3 <= slice2cost_difference_2_3_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_4 <= slice2cost_difference_2_4_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_5 <= slice2cost_difference_2_5_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_6 <= slice2cost_difference_2_6_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_7 <= slice2cost_difference_2_7_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_8 <= slice2cost_difference_2_8_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_9 <= slice2cost_difference_2_9_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_10 <= slice2cost_difference_2_10_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_11 <= slice2cost_difference_2_11_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_12 <= slice2cost_difference_2_12_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_13 <= slice2cost_difference_2_13_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_14 <= slice2cost_difference_2_14_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_15 <= slice2cost_difference_2_15_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_16 <= slice2cost_difference_2_16_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_17 <= slice2cost_difference_2_17_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_18 <= slice2cost_difference_2_18_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_19 <= slice2cost_difference_2_19_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_20 <= slice2cost_difference_2_20_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_21 <= slice2cost_difference_2_21_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_22 <= slice2cost_difference_2_22_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_23 <= slice2cost_difference_2_23_difference when slice0cost_pair_tag_newest_inside else 0;
-      slice2cost_difference_2_24 <= slice2cost_difference_2_24_difference when slice0cost_pair_tag_newest_inside else 0;
       slice2cost_newest_negative_0_0 <= slice2cost_difference_2_0_difference < 0;
       slice2cost_newest_negative_0_1 <= slice2cost_difference_2_1_difference < 0;
       slice2cost_newest_negative_0_2 <= slice2cost_difference_2_2_difference < 0;
@@ -3635,32 +4847,113 @@ begin
       slice2cost_single_0_22 <= slice2cost_difference_0_22;
       slice2cost_single_0_23 <= slice2cost_difference_0_23;
       slice2cost_single_0_24 <= slice2cost_difference_0_24;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
-      slice2cost_column_0_2 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_2 + slice2cost_single_0_2;
-      slice2cost_column_0_3 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_3 + slice2cost_single_0_3;
-      slice2cost_column_0_4 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_4 + slice2cost_single_0_4;
-      slice2cost_column_0_5 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_5 + slice2cost_single_0_5;
-      slice2cost_column_0_6 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_6 + slice2cost_single_0_6;
-      slice2cost_column_0_7 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_7 + slice2cost_single_0_7;
-      slice2cost_column_0_8 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_8 + slice2cost_single_0_8;
-      slice2cost_column_0_9 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_9 + slice2cost_single_0_9;
-      slice2cost_column_0_10 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_10 + slice2cost_single_0_10;
-      slice2cost_column_0_11 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_11 + slice2cost_single_0_11;
-      slice2cost_column_0_12 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_12 + slice2cost_single_0_12;
-      slice2cost_column_0_13 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_13 + slice2cost_single_0_13;
-      slice2cost_column_0_14 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_14 + slice2cost_single_0_14;
-      slice2cost_column_0_15 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_15 + slice2cost_single_0_15;
-      slice2cost_column_0_16 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_16 + slice2cost_single_0_16;
-      slice2cost_column_0_17 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_17 + slice2cost_single_0_17;
-      slice2cost_column_0_18 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_18 + slice2cost_single_0_18;
-      slice2cost_column_0_19 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_19 + slice2cost_single_0_19;
-      slice2cost_column_0_20 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_20 + slice2cost_single_0_20;
-      slice2cost_column_0_21 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_21 + slice2cost_single_0_21;
-      slice2cost_column_0_22 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_22 + slice2cost_single_0_22;
-      slice2cost_column_0_23 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_23 + slice2cost_single_0_23;
-      slice2cost_column_0_24 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_24 + slice2cost_single_0_24;
       slice2cost_tag_border_column <= slice1cost_tag_border_column;
+      if slice0cost_pair_tag_newest_inside then
+        slice2cost_difference_2_0 <= slice2cost_difference_2_0_difference;
+        slice2cost_difference_2_1 <= slice2cost_difference_2_1_difference;
+        slice2cost_difference_2_2 <= slice2cost_difference_2_2_difference;
+        slice2cost_difference_2_3 <= slice2cost_difference_2_3_difference;
+        slice2cost_difference_2_4 <= slice2cost_difference_2_4_difference;
+        slice2cost_difference_2_5 <= slice2cost_difference_2_5_difference;
+        slice2cost_difference_2_6 <= slice2cost_difference_2_6_difference;
+        slice2cost_difference_2_7 <= slice2cost_difference_2_7_difference;
+        slice2cost_difference_2_8 <= slice2cost_difference_2_8_difference;
+        slice2cost_difference_2_9 <= slice2cost_difference_2_9_difference;
+        slice2cost_difference_2_10 <= slice2cost_difference_2_10_difference;
+        slice2cost_difference_2_11 <= slice2cost_difference_2_11_difference;
+        slice2cost_difference_2_12 <= slice2cost_difference_2_12_difference;
+        slice2cost_difference_2_13 <= slice2cost_difference_2_13_difference;
+        slice2cost_difference_2_14 <= slice2cost_difference_2_14_difference;
+        slice2cost_difference_2_15 <= slice2cost_difference_2_15_difference;
+        slice2cost_difference_2_16 <= slice2cost_difference_2_16_difference;
+        slice2cost_difference_2_17 <= slice2cost_difference_2_17_difference;
+        slice2cost_difference_2_18 <= slice2cost_difference_2_18_difference;
+        slice2cost_difference_2_19 <= slice2cost_difference_2_19_difference;
+        slice2cost_difference_2_20 <= slice2cost_difference_2_20_difference;
+        slice2cost_difference_2_21 <= slice2cost_difference_2_21_difference;
+        slice2cost_difference_2_22 <= slice2cost_difference_2_22_difference;
+        slice2cost_difference_2_23 <= slice2cost_difference_2_23_difference;
+        slice2cost_difference_2_24 <= slice2cost_difference_2_24_difference;
+      else
+        slice2cost_difference_2_0 <= 0;
+        slice2cost_difference_2_1 <= 0;
+        slice2cost_difference_2_2 <= 0;
+        slice2cost_difference_2_3 <= 0;
+        slice2cost_difference_2_4 <= 0;
+        slice2cost_difference_2_5 <= 0;
+        slice2cost_difference_2_6 <= 0;
+        slice2cost_difference_2_7 <= 0;
+        slice2cost_difference_2_8 <= 0;
+        slice2cost_difference_2_9 <= 0;
+        slice2cost_difference_2_10 <= 0;
+        slice2cost_difference_2_11 <= 0;
+        slice2cost_difference_2_12 <= 0;
+        slice2cost_difference_2_13 <= 0;
+        slice2cost_difference_2_14 <= 0;
+        slice2cost_difference_2_15 <= 0;
+        slice2cost_difference_2_16 <= 0;
+        slice2cost_difference_2_17 <= 0;
+        slice2cost_difference_2_18 <= 0;
+        slice2cost_difference_2_19 <= 0;
+        slice2cost_difference_2_20 <= 0;
+        slice2cost_difference_2_21 <= 0;
+        slice2cost_difference_2_22 <= 0;
+        slice2cost_difference_2_23 <= 0;
+        slice2cost_difference_2_24 <= 0;
+      end if;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+        slice2cost_column_0_2 <= 0;
+        slice2cost_column_0_3 <= 0;
+        slice2cost_column_0_4 <= 0;
+        slice2cost_column_0_5 <= 0;
+        slice2cost_column_0_6 <= 0;
+        slice2cost_column_0_7 <= 0;
+        slice2cost_column_0_8 <= 0;
+        slice2cost_column_0_9 <= 0;
+        slice2cost_column_0_10 <= 0;
+        slice2cost_column_0_11 <= 0;
+        slice2cost_column_0_12 <= 0;
+        slice2cost_column_0_13 <= 0;
+        slice2cost_column_0_14 <= 0;
+        slice2cost_column_0_15 <= 0;
+        slice2cost_column_0_16 <= 0;
+        slice2cost_column_0_17 <= 0;
+        slice2cost_column_0_18 <= 0;
+        slice2cost_column_0_19 <= 0;
+        slice2cost_column_0_20 <= 0;
+        slice2cost_column_0_21 <= 0;
+        slice2cost_column_0_22 <= 0;
+        slice2cost_column_0_23 <= 0;
+        slice2cost_column_0_24 <= 0;
+      else
+        slice2cost_column_0_0 <= slice2cost_pair_0_0 + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= slice2cost_pair_0_1 + slice2cost_single_0_1;
+        slice2cost_column_0_2 <= slice2cost_pair_0_2 + slice2cost_single_0_2;
+        slice2cost_column_0_3 <= slice2cost_pair_0_3 + slice2cost_single_0_3;
+        slice2cost_column_0_4 <= slice2cost_pair_0_4 + slice2cost_single_0_4;
+        slice2cost_column_0_5 <= slice2cost_pair_0_5 + slice2cost_single_0_5;
+        slice2cost_column_0_6 <= slice2cost_pair_0_6 + slice2cost_single_0_6;
+        slice2cost_column_0_7 <= slice2cost_pair_0_7 + slice2cost_single_0_7;
+        slice2cost_column_0_8 <= slice2cost_pair_0_8 + slice2cost_single_0_8;
+        slice2cost_column_0_9 <= slice2cost_pair_0_9 + slice2cost_single_0_9;
+        slice2cost_column_0_10 <= slice2cost_pair_0_10 + slice2cost_single_0_10;
+        slice2cost_column_0_11 <= slice2cost_pair_0_11 + slice2cost_single_0_11;
+        slice2cost_column_0_12 <= slice2cost_pair_0_12 + slice2cost_single_0_12;
+        slice2cost_column_0_13 <= slice2cost_pair_0_13 + slice2cost_single_0_13;
+        slice2cost_column_0_14 <= slice2cost_pair_0_14 + slice2cost_single_0_14;
+        slice2cost_column_0_15 <= slice2cost_pair_0_15 + slice2cost_single_0_15;
+        slice2cost_column_0_16 <= slice2cost_pair_0_16 + slice2cost_single_0_16;
+        slice2cost_column_0_17 <= slice2cost_pair_0_17 + slice2cost_single_0_17;
+        slice2cost_column_0_18 <= slice2cost_pair_0_18 + slice2cost_single_0_18;
+        slice2cost_column_0_19 <= slice2cost_pair_0_19 + slice2cost_single_0_19;
+        slice2cost_column_0_20 <= slice2cost_pair_0_20 + slice2cost_single_0_20;
+        slice2cost_column_0_21 <= slice2cost_pair_0_21 + slice2cost_single_0_21;
+        slice2cost_column_0_22 <= slice2cost_pair_0_22 + slice2cost_single_0_22;
+        slice2cost_column_0_23 <= slice2cost_pair_0_23 + slice2cost_single_0_23;
+        slice2cost_column_0_24 <= slice2cost_pair_0_24 + slice2cost_single_0_24;
+      end if;
       if slice0cost_tag_valid then
         slice2cost_signs_write_words_0 <= slice2cost_signs_known_words_1;
         slice2cost_signs_write_words_1 <= (as_number(slice2cost_newest_negative_0_23) * 8388608) +
@@ -3769,43 +5062,90 @@ begin
       slice2winner1_best_cost_0_9_is_less := (slice2window_sum_0_19 - slice2window_sum_0_18) < 0;
       slice2winner1_best_cost_0_10_is_less := (slice2window_sum_0_21 - slice2window_sum_0_20) < 0;
       slice2winner1_best_cost_0_11_is_less := (slice2window_sum_0_23 - slice2window_sum_0_22) < 0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
-        slice2window_sum_0_2;
-      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
-        slice2window_sum_0_4;
-      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
-        slice2window_sum_0_6;
-      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_best_cost_0_4_is_less else
-        slice2window_sum_0_8;
-      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_best_cost_0_5_is_less else
-        slice2window_sum_0_10;
-      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when slice2winner1_best_cost_0_6_is_less else
-        slice2window_sum_0_12;
-      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when slice2winner1_best_cost_0_7_is_less else
-        slice2window_sum_0_14;
-      slice2winner1_best_cost_0_8 <= slice2window_sum_0_17 when slice2winner1_best_cost_0_8_is_less else
-        slice2window_sum_0_16;
-      slice2winner1_best_cost_0_9 <= slice2window_sum_0_19 when slice2winner1_best_cost_0_9_is_less else
-        slice2window_sum_0_18;
-      slice2winner1_best_cost_0_10 <= slice2window_sum_0_21 when slice2winner1_best_cost_0_10_is_less else
-        slice2window_sum_0_20;
-      slice2winner1_best_cost_0_11 <= slice2window_sum_0_23 when slice2winner1_best_cost_0_11_is_less else
-        slice2window_sum_0_22;
       slice2winner1_best_cost_0_12 <= slice2window_sum_0_24;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
-      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
-      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
-      slice2winner1_best_index_0_4 <= 9 when slice2winner1_best_cost_0_4_is_less else 8;
-      slice2winner1_best_index_0_5 <= 11 when slice2winner1_best_cost_0_5_is_less else 10;
-      slice2winner1_best_index_0_6 <= 13 when slice2winner1_best_cost_0_6_is_less else 12;
-      slice2winner1_best_index_0_7 <= 15 when slice2winner1_best_cost_0_7_is_less else 14;
-      slice2winner1_best_index_0_8 <= 17 when slice2winner1_best_cost_0_8_is_less else 16;
-      slice2winner1_best_index_0_9 <= 19 when slice2winner1_best_cost_0_9_is_less else 18;
-      slice2winner1_best_index_0_10 <= 21 when slice2winner1_best_cost_0_10_is_less else 20;
-      slice2winner1_best_index_0_11 <= 23 when slice2winner1_best_cost_0_11_is_less else 22;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
+      if slice2winner1_best_cost_0_1_is_less then
+        slice2winner1_best_cost_0_1 <= slice2window_sum_0_3;
+        slice2winner1_best_index_0_1 <= 3;
+      else
+        slice2winner1_best_cost_0_1 <= slice2window_sum_0_2;
+        slice2winner1_best_index_0_1 <= 2;
+      end if;
+      if slice2winner1_best_cost_0_2_is_less then
+        slice2winner1_best_cost_0_2 <= slice2window_sum_0_5;
+        slice2winner1_best_index_0_2 <= 5;
+      else
+        slice2winner1_best_cost_0_2 <= slice2window_sum_0_4;
+        slice2winner1_best_index_0_2 <= 4;
+      end if;
+      if slice2winner1_best_cost_0_3_is_less then
+        slice2winner1_best_cost_0_3 <= slice2window_sum_0_7;
+        slice2winner1_best_index_0_3 <= 7;
+      else
+        slice2winner1_best_cost_0_3 <= slice2window_sum_0_6;
+        slice2winner1_best_index_0_3 <= 6;
+      end if;
+      if slice2winner1_best_cost_0_4_is_less then
+        slice2winner1_best_cost_0_4 <= slice2window_sum_0_9;
+        slice2winner1_best_index_0_4 <= 9;
+      else
+        slice2winner1_best_cost_0_4 <= slice2window_sum_0_8;
+        slice2winner1_best_index_0_4 <= 8;
+      end if;
+      if slice2winner1_best_cost_0_5_is_less then
+        slice2winner1_best_cost_0_5 <= slice2window_sum_0_11;
+        slice2winner1_best_index_0_5 <= 11;
+      else
+        slice2winner1_best_cost_0_5 <= slice2window_sum_0_10;
+        slice2winner1_best_index_0_5 <= 10;
+      end if;
+      if slice2winner1_best_cost_0_6_is_less then
+        slice2winner1_best_cost_0_6 <= slice2window_sum_0_13;
+        slice2winner1_best_index_0_6 <= 13;
+      else
+        slice2winner1_best_cost_0_6 <= slice2window_sum_0_12;
+        slice2winner1_best_index_0_6 <= 12;
+      end if;
+      if slice2winner1_best_cost_0_7_is_less then
+        slice2winner1_best_cost_0_7 <= slice2window_sum_0_15;
+        slice2winner1_best_index_0_7 <= 15;
+      else
+        slice2winner1_best_cost_0_7 <= slice2window_sum_0_14;
+        slice2winner1_best_index_0_7 <= 14;
+      end if;
+      if slice2winner1_best_cost_0_8_is_less then
+        slice2winner1_best_cost_0_8 <= slice2window_sum_0_17;
+        slice2winner1_best_index_0_8 <= 17;
+      else
+        slice2winner1_best_cost_0_8 <= slice2window_sum_0_16;
+        slice2winner1_best_index_0_8 <= 16;
+      end if;
+      if slice2winner1_best_cost_0_9_is_less then
+        slice2winner1_best_cost_0_9 <= slice2window_sum_0_19;
+        slice2winner1_best_index_0_9 <= 19;
+      else
+        slice2winner1_best_cost_0_9 <= slice2window_sum_0_18;
+        slice2winner1_best_index_0_9 <= 18;
+      end if;
+      if slice2winner1_best_cost_0_10_is_less then
+        slice2winner1_best_cost_0_10 <= slice2window_sum_0_21;
+        slice2winner1_best_index_0_10 <= 21;
+      else
+        slice2winner1_best_cost_0_10 <= slice2window_sum_0_20;
+        slice2winner1_best_index_0_10 <= 20;
+      end if;
+      if slice2winner1_best_cost_0_11_is_less then
+        slice2winner1_best_cost_0_11 <= slice2window_sum_0_23;
+        slice2winner1_best_index_0_11 <= 23;
+      else
+        slice2winner1_best_cost_0_11 <= slice2window_sum_0_22;
+        slice2winner1_best_index_0_11 <= 22;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
       slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
@@ -3813,74 +5153,114 @@ begin
       slice2winner2_best_cost_0_3_is_less := (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0;
       slice2winner2_best_cost_0_4_is_less := (slice2winner1_best_cost_0_9 - slice2winner1_best_cost_0_8) < 0;
       slice2winner2_best_cost_0_5_is_less := (slice2winner1_best_cost_0_11 - slice2winner1_best_cost_0_10) < 0;
-      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
-        slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
-        slice2winner1_best_cost_0_2;
-      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner2_best_cost_0_2_is_less else
-        slice2winner1_best_cost_0_4;
-      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_cost_0_6;
-      slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_9 when slice2winner2_best_cost_0_4_is_less else
-        slice2winner1_best_cost_0_8;
-      slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_11 when slice2winner2_best_cost_0_5_is_less else
-        slice2winner1_best_cost_0_10;
       slice2winner2_best_cost_0_6 <= slice2winner1_best_cost_0_12;
-      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
-        as_number(slice2winner1_best_index_0_0);
-      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
-        slice2winner1_best_index_0_2;
-      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_cost_0_2_is_less else
-        slice2winner1_best_index_0_4;
-      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_index_0_6;
-      slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9 when slice2winner2_best_cost_0_4_is_less else
-        slice2winner1_best_index_0_8;
-      slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11 when slice2winner2_best_cost_0_5_is_less else
-        slice2winner1_best_index_0_10;
+      if slice2winner2_best_cost_0_0_is_less then
+        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1;
+        slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1;
+      else
+        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
+        slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
+      end if;
+      if slice2winner2_best_cost_0_1_is_less then
+        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3;
+        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3;
+      else
+        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_2;
+        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2;
+      end if;
+      if slice2winner2_best_cost_0_2_is_less then
+        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5;
+        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5;
+      else
+        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_4;
+        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
+      end if;
+      if slice2winner2_best_cost_0_3_is_less then
+        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7;
+        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7;
+      else
+        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_6;
+        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_6;
+      end if;
+      if slice2winner2_best_cost_0_4_is_less then
+        slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_9;
+        slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9;
+      else
+        slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_8;
+        slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_8;
+      end if;
+      if slice2winner2_best_cost_0_5_is_less then
+        slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_11;
+        slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11;
+      else
+        slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_10;
+        slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_10;
+      end if;
       -- slice2winner3
       slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
       slice2winner3_best_cost_0_1_is_less := (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0;
       slice2winner3_best_cost_0_2_is_less := (slice2winner2_best_cost_0_5 - slice2winner2_best_cost_0_4) < 0;
-      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
-        slice2winner2_best_cost_0_0;
-      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_cost_0_2;
-      slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_5 when slice2winner3_best_cost_0_2_is_less else
-        slice2winner2_best_cost_0_4;
       slice2winner3_best_cost_0_3 <= slice2winner2_best_cost_0_6;
-      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
-        slice2winner2_best_index_0_0;
-      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_index_0_2;
-      slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5 when slice2winner3_best_cost_0_2_is_less else
-        slice2winner2_best_index_0_4;
+      if slice2winner3_best_cost_0_0_is_less then
+        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1;
+        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1;
+      else
+        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+      end if;
+      if slice2winner3_best_cost_0_1_is_less then
+        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3;
+        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3;
+      else
+        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_2;
+        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
+      end if;
+      if slice2winner3_best_cost_0_2_is_less then
+        slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_5;
+        slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5;
+      else
+        slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_4;
+        slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_4;
+      end if;
       -- slice2winner4
       slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
       slice2winner4_best_cost_0_1_is_less := (slice2winner3_best_cost_0_3 - slice2winner3_best_cost_0_2) < 0;
-      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_cost_0_0;
-      slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_3 when slice2winner4_best_cost_0_1_is_less else
-        slice2winner3_best_cost_0_2;
-      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_index_0_0;
-      slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_0_1_is_less else
-        slice2winner3_best_index_0_2;
+      if slice2winner4_best_cost_0_0_is_less then
+        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1;
+        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1;
+      else
+        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_0;
+        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0;
+      end if;
+      if slice2winner4_best_cost_0_1_is_less then
+        slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_3;
+        slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_2;
+        slice2winner4_best_index_0_1 <= slice2winner3_best_index_0_2;
+      end if;
       -- slice2winner5
       slice2winner5_best_cost_0_0_is_less := (slice2winner4_best_cost_0_1 - slice2winner4_best_cost_0_0) < 0;
-      slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_1 when slice2winner5_best_cost_0_0_is_less else
-        slice2winner4_best_cost_0_0;
-      slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1 when slice2winner5_best_cost_0_0_is_less else
-        slice2winner4_best_index_0_0;
+      if slice2winner5_best_cost_0_0_is_less then
+        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_1;
+        slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1;
+      else
+        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_0;
+        slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_0;
+      end if;
       -- slice2
       slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner5_best_cost_0_0) < 0;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner5_best_cost_0_0;
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner5_best_index_0_0 + 25;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if slice2_best_cost_0_0_is_less then
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      else
+        slice2_best_cost_0_0 <= slice2winner5_best_cost_0_0;
+        slice2_best_index_0_0 <= slice2winner5_best_index_0_0 + 25;
+      end if;
       -- slice3shift
       if slice0cost_pair_tag_valid then
         slice3shift_search_0_0 <= slice3shift_search_0_1;
@@ -3966,252 +5346,552 @@ begin
       if slice0cost_tag_valid then
         slice3cost_signs_difference_column <= slice1cost_signs_write_column;
       end if;
-      slice3cost_difference_0_0_choice := slice3shift_reference_0 when (slice3cost_signs_ready_words_0 mod 2) = 1 else
-        slice3shift_search_0_0;
-      slice3cost_difference_0_0_choice_2 := slice3shift_search_0_0 when (slice3cost_signs_ready_words_0 mod 2) = 1 else
-        slice3shift_reference_0;
+      if (slice3cost_signs_ready_words_0 mod 2) = 1 then
+        slice3cost_difference_0_0_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_0_choice := slice3shift_search_0_0;
+      end if;
+      if (slice3cost_signs_ready_words_0 mod 2) = 1 then
+        slice3cost_difference_0_0_choice_2 := slice3shift_search_0_0;
+      else
+        slice3cost_difference_0_0_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_1_value := ((slice3cost_signs_ready_words_0 / 2) mod 2) = 1;
-      slice3cost_difference_0_1_choice := slice3shift_reference_0 when slice3cost_difference_0_1_value else
-        slice3shift_search_0_1;
-      slice3cost_difference_0_1_choice_2 := slice3shift_search_0_1 when slice3cost_difference_0_1_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_1_value then
+        slice3cost_difference_0_1_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_1_choice := slice3shift_search_0_1;
+      end if;
+      if slice3cost_difference_0_1_value then
+        slice3cost_difference_0_1_choice_2 := slice3shift_search_0_1;
+      else
+        slice3cost_difference_0_1_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_2_value := ((slice3cost_signs_ready_words_0 / 4) mod 2) = 1;
-      slice3cost_difference_0_2_choice := slice3shift_reference_0 when slice3cost_difference_0_2_value else
-        slice3shift_search_0_2;
-      slice3cost_difference_0_2_choice_2 := slice3shift_search_0_2 when slice3cost_difference_0_2_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_2_value then
+        slice3cost_difference_0_2_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_2_choice := slice3shift_search_0_2;
+      end if;
+      if slice3cost_difference_0_2_value then
+        slice3cost_difference_0_2_choice_2 := slice3shift_search_0_2;
+      else
+        slice3cost_difference_0_2_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_3_value := ((slice3cost_signs_ready_words_0 / 8) mod 2) = 1;
-      slice3cost_difference_0_3_choice := slice3shift_reference_0 when slice3cost_difference_0_3_value else
-        slice3shift_search_0_3;
-      slice3cost_difference_0_3_choice_2 := slice3shift_search_0_3 when slice3cost_difference_0_3_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_3_value then
+        slice3cost_difference_0_3_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_3_choice := slice3shift_search_0_3;
+      end if;
+      if slice3cost_difference_0_3_value then
+        slice3cost_difference_0_3_choice_2 := slice3shift_search_0_3;
+      else
+        slice3cost_difference_0_3_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_4_value := ((slice3cost_signs_ready_words_0 / 16) mod 2) = 1;
-      slice3cost_difference_0_4_choice := slice3shift_reference_0 when slice3cost_difference_0_4_value else
-        slice3shift_search_0_4;
-      slice3cost_difference_0_4_choice_2 := slice3shift_search_0_4 when slice3cost_difference_0_4_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_4_value then
+        slice3cost_difference_0_4_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_4_choice := slice3shift_search_0_4;
+      end if;
+      if slice3cost_difference_0_4_value then
+        slice3cost_difference_0_4_choice_2 := slice3shift_search_0_4;
+      else
+        slice3cost_difference_0_4_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_5_value := ((slice3cost_signs_ready_words_0 / 32) mod 2) = 1;
-      slice3cost_difference_0_5_choice := slice3shift_reference_0 when slice3cost_difference_0_5_value else
-        slice3shift_search_0_5;
-      slice3cost_difference_0_5_choice_2 := slice3shift_search_0_5 when slice3cost_difference_0_5_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_5_value then
+        slice3cost_difference_0_5_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_5_choice := slice3shift_search_0_5;
+      end if;
+      if slice3cost_difference_0_5_value then
+        slice3cost_difference_0_5_choice_2 := slice3shift_search_0_5;
+      else
+        slice3cost_difference_0_5_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_6_value := ((slice3cost_signs_ready_words_0 / 64) mod 2) = 1;
-      slice3cost_difference_0_6_choice := slice3shift_reference_0 when slice3cost_difference_0_6_value else
-        slice3shift_search_0_6;
-      slice3cost_difference_0_6_choice_2 := slice3shift_search_0_6 when slice3cost_difference_0_6_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_6_value then
+        slice3cost_difference_0_6_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_6_choice := slice3shift_search_0_6;
+      end if;
+      if slice3cost_difference_0_6_value then
+        slice3cost_difference_0_6_choice_2 := slice3shift_search_0_6;
+      else
+        slice3cost_difference_0_6_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_7_value := ((slice3cost_signs_ready_words_0 / 128) mod 2) = 1;
-      slice3cost_difference_0_7_choice := slice3shift_reference_0 when slice3cost_difference_0_7_value else
-        slice3shift_search_0_7;
-      slice3cost_difference_0_7_choice_2 := slice3shift_search_0_7 when slice3cost_difference_0_7_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_7_value then
+        slice3cost_difference_0_7_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_7_choice := slice3shift_search_0_7;
+      end if;
+      if slice3cost_difference_0_7_value then
+        slice3cost_difference_0_7_choice_2 := slice3shift_search_0_7;
+      else
+        slice3cost_difference_0_7_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_8_value := ((slice3cost_signs_ready_words_0 / 256) mod 2) = 1;
-      slice3cost_difference_0_8_choice := slice3shift_reference_0 when slice3cost_difference_0_8_value else
-        slice3shift_search_0_8;
-      slice3cost_difference_0_8_choice_2 := slice3shift_search_0_8 when slice3cost_difference_0_8_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_8_value then
+        slice3cost_difference_0_8_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_8_choice := slice3shift_search_0_8;
+      end if;
+      if slice3cost_difference_0_8_value then
+        slice3cost_difference_0_8_choice_2 := slice3shift_search_0_8;
+      else
+        slice3cost_difference_0_8_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_9_value := ((slice3cost_signs_ready_words_0 / 512) mod 2) = 1;
-      slice3cost_difference_0_9_choice := slice3shift_reference_0 when slice3cost_difference_0_9_value else
-        slice3shift_search_0_9;
-      slice3cost_difference_0_9_choice_2 := slice3shift_search_0_9 when slice3cost_difference_0_9_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_9_value then
+        slice3cost_difference_0_9_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_9_choice := slice3shift_search_0_9;
+      end if;
+      if slice3cost_difference_0_9_value then
+        slice3cost_difference_0_9_choice_2 := slice3shift_search_0_9;
+      else
+        slice3cost_difference_0_9_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_10_value := ((slice3cost_signs_ready_words_0 / 1024) mod 2) = 1;
-      slice3cost_difference_0_10_choice := slice3shift_reference_0 when slice3cost_difference_0_10_value else
-        slice3shift_search_0_10;
-      slice3cost_difference_0_10_choice_2 := slice3shift_search_0_10 when slice3cost_difference_0_10_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_10_value then
+        slice3cost_difference_0_10_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_10_choice := slice3shift_search_0_10;
+      end if;
+      if slice3cost_difference_0_10_value then
+        slice3cost_difference_0_10_choice_2 := slice3shift_search_0_10;
+      else
+        slice3cost_difference_0_10_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_11_value := ((slice3cost_signs_ready_words_0 / 2048) mod 2) = 1;
-      slice3cost_difference_0_11_choice := slice3shift_reference_0 when slice3cost_difference_0_11_value else
-        slice3shift_search_0_11;
-      slice3cost_difference_0_11_choice_2 := slice3shift_search_0_11 when slice3cost_difference_0_11_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_11_value then
+        slice3cost_difference_0_11_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_11_choice := slice3shift_search_0_11;
+      end if;
+      if slice3cost_difference_0_11_value then
+        slice3cost_difference_0_11_choice_2 := slice3shift_search_0_11;
+      else
+        slice3cost_difference_0_11_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_12_value := ((slice3cost_signs_ready_words_0 / 4096) mod 2) = 1;
-      slice3cost_difference_0_12_choice := slice3shift_reference_0 when slice3cost_difference_0_12_value else
-        slice3shift_search_0_12;
-      slice3cost_difference_0_12_choice_2 := slice3shift_search_0_12 when slice3cost_difference_0_12_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_12_value then
+        slice3cost_difference_0_12_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_12_choice := slice3shift_search_0_12;
+      end if;
+      if slice3cost_difference_0_12_value then
+        slice3cost_difference_0_12_choice_2 := slice3shift_search_0_12;
+      else
+        slice3cost_difference_0_12_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_13_value := ((slice3cost_signs_ready_words_0 / 8192) mod 2) = 1;
-      slice3cost_difference_0_13_choice := slice3shift_reference_0 when slice3cost_difference_0_13_value else
-        slice3shift_search_0_13;
-      slice3cost_difference_0_13_choice_2 := slice3shift_search_0_13 when slice3cost_difference_0_13_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_13_value then
+        slice3cost_difference_0_13_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_13_choice := slice3shift_search_0_13;
+      end if;
+      if slice3cost_difference_0_13_value then
+        slice3cost_difference_0_13_choice_2 := slice3shift_search_0_13;
+      else
+        slice3cost_difference_0_13_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_14_value := ((slice3cost_signs_ready_words_0 / 16384) mod 2) = 1;
-      slice3cost_difference_0_14_choice := slice3shift_reference_0 when slice3cost_difference_0_14_value else
-        slice3shift_search_0_14;
-      slice3cost_difference_0_14_choice_2 := slice3shift_search_0_14 when slice3cost_difference_0_14_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_14_value then
+        slice3cost_difference_0_14_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_14_choice := slice3shift_search_0_14;
+      end if;
+      if slice3cost_difference_0_14_value then
+        slice3cost_difference_0_14_choice_2 := slice3shift_search_0_14;
+      else
+        slice3cost_difference_0_14_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_15_value := ((slice3cost_signs_ready_words_0 / 32768) mod 2) = 1;
-      slice3cost_difference_0_15_choice := slice3shift_reference_0 when slice3cost_difference_0_15_value else
-        slice3shift_search_0_15;
-      slice3cost_difference_0_15_choice_2 := slice3shift_search_0_15 when slice3cost_difference_0_15_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_15_value then
+        slice3cost_difference_0_15_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_15_choice := slice3shift_search_0_15;
+      end if;
+      if slice3cost_difference_0_15_value then
+        slice3cost_difference_0_15_choice_2 := slice3shift_search_0_15;
+      else
+        slice3cost_difference_0_15_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_16_value := ((slice3cost_signs_ready_words_0 / 65536) mod 2) = 1;
-      slice3cost_difference_0_16_choice := slice3shift_reference_0 when slice3cost_difference_0_16_value else
-        slice3shift_search_0_16;
-      slice3cost_difference_0_16_choice_2 := slice3shift_search_0_16 when slice3cost_difference_0_16_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_16_value then
+        slice3cost_difference_0_16_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_16_choice := slice3shift_search_0_16;
+      end if;
+      if slice3cost_difference_0_16_value then
+        slice3cost_difference_0_16_choice_2 := slice3shift_search_0_16;
+      else
+        slice3cost_difference_0_16_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_17_value := ((slice3cost_signs_ready_words_0 / 131072) mod 2) = 1;
-      slice3cost_difference_0_17_choice := slice3shift_reference_0 when slice3cost_difference_0_17_value else
-        slice3shift_search_0_17;
-      slice3cost_difference_0_17_choice_2 := slice3shift_search_0_17 when slice3cost_difference_0_17_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_17_value then
+        slice3cost_difference_0_17_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_17_choice := slice3shift_search_0_17;
+      end if;
+      if slice3cost_difference_0_17_value then
+        slice3cost_difference_0_17_choice_2 := slice3shift_search_0_17;
+      else
+        slice3cost_difference_0_17_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_18_value := ((slice3cost_signs_ready_words_0 / 262144) mod 2) = 1;
-      slice3cost_difference_0_18_choice := slice3shift_reference_0 when slice3cost_difference_0_18_value else
-        slice3shift_search_0_18;
-      slice3cost_difference_0_18_choice_2 := slice3shift_search_0_18 when slice3cost_difference_0_18_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_18_value then
+        slice3cost_difference_0_18_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_18_choice := slice3shift_search_0_18;
+      end if;
+      if slice3cost_difference_0_18_value then
+        slice3cost_difference_0_18_choice_2 := slice3shift_search_0_18;
+      else
+        slice3cost_difference_0_18_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_19_value := ((slice3cost_signs_ready_words_0 / 524288) mod 2) = 1;
-      slice3cost_difference_0_19_choice := slice3shift_reference_0 when slice3cost_difference_0_19_value else
-        slice3shift_search_0_19;
-      slice3cost_difference_0_19_choice_2 := slice3shift_search_0_19 when slice3cost_difference_0_19_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_19_value then
+        slice3cost_difference_0_19_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_19_choice := slice3shift_search_0_19;
+      end if;
+      if slice3cost_difference_0_19_value then
+        slice3cost_difference_0_19_choice_2 := slice3shift_search_0_19;
+      else
+        slice3cost_difference_0_19_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_20_value := ((slice3cost_signs_ready_words_0 / 1048576) mod 2) = 1;
-      slice3cost_difference_0_20_choice := slice3shift_reference_0 when slice3cost_difference_0_20_value else
-        slice3shift_search_0_20;
-      slice3cost_difference_0_20_choice_2 := slice3shift_search_0_20 when slice3cost_difference_0_20_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_20_value then
+        slice3cost_difference_0_20_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_20_choice := slice3shift_search_0_20;
+      end if;
+      if slice3cost_difference_0_20_value then
+        slice3cost_difference_0_20_choice_2 := slice3shift_search_0_20;
+      else
+        slice3cost_difference_0_20_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_21_value := ((slice3cost_signs_ready_words_0 / 2097152) mod 2) = 1;
-      slice3cost_difference_0_21_choice := slice3shift_reference_0 when slice3cost_difference_0_21_value else
-        slice3shift_search_0_21;
-      slice3cost_difference_0_21_choice_2 := slice3shift_search_0_21 when slice3cost_difference_0_21_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_21_value then
+        slice3cost_difference_0_21_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_21_choice := slice3shift_search_0_21;
+      end if;
+      if slice3cost_difference_0_21_value then
+        slice3cost_difference_0_21_choice_2 := slice3shift_search_0_21;
+      else
+        slice3cost_difference_0_21_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_22_value := ((slice3cost_signs_ready_words_0 / 4194304) mod 2) = 1;
-      slice3cost_difference_0_22_choice := slice3shift_reference_0 when slice3cost_difference_0_22_value else
-        slice3shift_search_0_22;
-      slice3cost_difference_0_22_choice_2 := slice3shift_search_0_22 when slice3cost_difference_0_22_value else
-        slice3shift_reference_0;
+      if slice3cost_difference_0_22_value then
+        slice3cost_difference_0_22_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_22_choice := slice3shift_search_0_22;
+      end if;
+      if slice3cost_difference_0_22_value then
+        slice3cost_difference_0_22_choice_2 := slice3shift_search_0_22;
+      else
+        slice3cost_difference_0_22_choice_2 := slice3shift_reference_0;
+      end if;
       slice3cost_difference_0_23_value := ((slice3cost_signs_ready_words_0 / 8388608) mod 2) = 1;
-      slice3cost_difference_0_23_choice := slice3shift_reference_0 when slice3cost_difference_0_23_value else
-        slice3shift_search_0_23;
-      slice3cost_difference_0_23_choice_2 := slice3shift_search_0_23 when slice3cost_difference_0_23_value else
-        slice3shift_reference_0;
-      slice3cost_difference_0_24_choice := slice3shift_reference_0 when (slice3cost_signs_ready_words_0 / 16777216) = 1
-        else slice3shift_search_0_24;
-      slice3cost_difference_0_24_choice_2 := slice3shift_search_0_24 when (slice3cost_signs_ready_words_0 / 16777216) =
-        1 else slice3shift_reference_0;
-      slice3cost_difference_1_0_choice := slice3shift_reference_1 when (slice3cost_signs_ready_words_1 mod 2) = 1 else
-        slice3shift_search_1_0;
-      slice3cost_difference_1_0_choice_2 := slice3shift_search_1_0 when (slice3cost_signs_ready_words_1 mod 2) = 1 else
-        slice3shift_reference_1;
+      if slice3cost_difference_0_23_value then
+        slice3cost_difference_0_23_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_23_choice := slice3shift_search_0_23;
+      end if;
+      if slice3cost_difference_0_23_value then
+        slice3cost_difference_0_23_choice_2 := slice3shift_search_0_23;
+      else
+        slice3cost_difference_0_23_choice_2 := slice3shift_reference_0;
+      end if;
+      if (slice3cost_signs_ready_words_0 / 16777216) = 1 then
+        slice3cost_difference_0_24_choice := slice3shift_reference_0;
+      else
+        slice3cost_difference_0_24_choice := slice3shift_search_0_24;
+      end if;
+      if (slice3cost_signs_ready_words_0 / 16777216) = 1 then
+        slice3cost_difference_0_24_choice_2 := slice3shift_search_0_24;
+      else
+        slice3cost_difference_0_24_choice_2 := slice3shift_reference_0;
+      end if;
+      if (slice3cost_signs_ready_words_1 mod 2) = 1 then
+        slice3cost_difference_1_0_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_0_choice := slice3shift_search_1_0;
+      end if;
+      if (slice3cost_signs_ready_words_1 mod 2) = 1 then
+        slice3cost_difference_1_0_choice_2 := slice3shift_search_1_0;
+      else
+        slice3cost_difference_1_0_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_1_value := ((slice3cost_signs_ready_words_1 / 2) mod 2) = 1;
-      slice3cost_difference_1_1_choice := slice3shift_reference_1 when slice3cost_difference_1_1_value else
-        slice3shift_search_1_1;
-      slice3cost_difference_1_1_choice_2 := slice3shift_search_1_1 when slice3cost_difference_1_1_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_1_value then
+        slice3cost_difference_1_1_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_1_choice := slice3shift_search_1_1;
+      end if;
+      if slice3cost_difference_1_1_value then
+        slice3cost_difference_1_1_choice_2 := slice3shift_search_1_1;
+      else
+        slice3cost_difference_1_1_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_2_value := ((slice3cost_signs_ready_words_1 / 4) mod 2) = 1;
-      slice3cost_difference_1_2_choice := slice3shift_reference_1 when slice3cost_difference_1_2_value else
-        slice3shift_search_1_2;
-      slice3cost_difference_1_2_choice_2 := slice3shift_search_1_2 when slice3cost_difference_1_2_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_2_value then
+        slice3cost_difference_1_2_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_2_choice := slice3shift_search_1_2;
+      end if;
+      if slice3cost_difference_1_2_value then
+        slice3cost_difference_1_2_choice_2 := slice3shift_search_1_2;
+      else
+        slice3cost_difference_1_2_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_3_value := ((slice3cost_signs_ready_words_1 / 8) mod 2) = 1;
-      slice3cost_difference_1_3_choice := slice3shift_reference_1 when slice3cost_difference_1_3_value else
-        slice3shift_search_1_3;
-      slice3cost_difference_1_3_choice_2 := slice3shift_search_1_3 when slice3cost_difference_1_3_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_3_value then
+        slice3cost_difference_1_3_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_3_choice := slice3shift_search_1_3;
+      end if;
+      if slice3cost_difference_1_3_value then
+        slice3cost_difference_1_3_choice_2 := slice3shift_search_1_3;
+      else
+        slice3cost_difference_1_3_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_4_value := ((slice3cost_signs_ready_words_1 / 16) mod 2) = 1;
-      slice3cost_difference_1_4_choice := slice3shift_reference_1 when slice3cost_difference_1_4_value else
-        slice3shift_search_1_4;
-      slice3cost_difference_1_4_choice_2 := slice3shift_search_1_4 when slice3cost_difference_1_4_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_4_value then
+        slice3cost_difference_1_4_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_4_choice := slice3shift_search_1_4;
+      end if;
+      if slice3cost_difference_1_4_value then
+        slice3cost_difference_1_4_choice_2 := slice3shift_search_1_4;
+      else
+        slice3cost_difference_1_4_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_5_value := ((slice3cost_signs_ready_words_1 / 32) mod 2) = 1;
-      slice3cost_difference_1_5_choice := slice3shift_reference_1 when slice3cost_difference_1_5_value else
-        slice3shift_search_1_5;
-      slice3cost_difference_1_5_choice_2 := slice3shift_search_1_5 when slice3cost_difference_1_5_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_5_value then
+        slice3cost_difference_1_5_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_5_choice := slice3shift_search_1_5;
+      end if;
+      if slice3cost_difference_1_5_value then
+        slice3cost_difference_1_5_choice_2 := slice3shift_search_1_5;
+      else
+        slice3cost_difference_1_5_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_6_value := ((slice3cost_signs_ready_words_1 / 64) mod 2) = 1;
-      slice3cost_difference_1_6_choice := slice3shift_reference_1 when slice3cost_difference_1_6_value else
-        slice3shift_search_1_6;
-      slice3cost_difference_1_6_choice_2 := slice3shift_search_1_6 when slice3cost_difference_1_6_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_6_value then
+        slice3cost_difference_1_6_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_6_choice := slice3shift_search_1_6;
+      end if;
+      if slice3cost_difference_1_6_value then
+        slice3cost_difference_1_6_choice_2 := slice3shift_search_1_6;
+      else
+        slice3cost_difference_1_6_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_7_value := ((slice3cost_signs_ready_words_1 / 128) mod 2) = 1;
-      slice3cost_difference_1_7_choice := slice3shift_reference_1 when slice3cost_difference_1_7_value else
-        slice3shift_search_1_7;
-      slice3cost_difference_1_7_choice_2 := slice3shift_search_1_7 when slice3cost_difference_1_7_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_7_value then
+        slice3cost_difference_1_7_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_7_choice := slice3shift_search_1_7;
+      end if;
+      if slice3cost_difference_1_7_value then
+        slice3cost_difference_1_7_choice_2 := slice3shift_search_1_7;
+      else
+        slice3cost_difference_1_7_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_8_value := ((slice3cost_signs_ready_words_1 / 256) mod 2) = 1;
-      slice3cost_difference_1_8_choice := slice3shift_reference_1 when slice3cost_difference_1_8_value else
-        slice3shift_search_1_8;
-      slice3cost_difference_1_8_choice_2 := slice3shift_search_1_8 when slice3cost_difference_1_8_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_8_value then
+        slice3cost_difference_1_8_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_8_choice := slice3shift_search_1_8;
+      end if;
+      if slice3cost_difference_1_8_value then
+        slice3cost_difference_1_8_choice_2 := slice3shift_search_1_8;
+      else
+        slice3cost_difference_1_8_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_9_value := ((slice3cost_signs_ready_words_1 / 512) mod 2) = 1;
-      slice3cost_difference_1_9_choice := slice3shift_reference_1 when slice3cost_difference_1_9_value else
-        slice3shift_search_1_9;
-      slice3cost_difference_1_9_choice_2 := slice3shift_search_1_9 when slice3cost_difference_1_9_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_9_value then
+        slice3cost_difference_1_9_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_9_choice := slice3shift_search_1_9;
+      end if;
+      if slice3cost_difference_1_9_value then
+        slice3cost_difference_1_9_choice_2 := slice3shift_search_1_9;
+      else
+        slice3cost_difference_1_9_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_10_value := ((slice3cost_signs_ready_words_1 / 1024) mod 2) = 1;
-      slice3cost_difference_1_10_choice := slice3shift_reference_1 when slice3cost_difference_1_10_value else
-        slice3shift_search_1_10;
-      slice3cost_difference_1_10_choice_2 := slice3shift_search_1_10 when slice3cost_difference_1_10_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_10_value then
+        slice3cost_difference_1_10_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_10_choice := slice3shift_search_1_10;
+      end if;
+      if slice3cost_difference_1_10_value then
+        slice3cost_difference_1_10_choice_2 := slice3shift_search_1_10;
+      else
+        slice3cost_difference_1_10_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_11_value := ((slice3cost_signs_ready_words_1 / 2048) mod 2) = 1;
-      slice3cost_difference_1_11_choice := slice3shift_reference_1 when slice3cost_difference_1_11_value else
-        slice3shift_search_1_11;
-      slice3cost_difference_1_11_choice_2 := slice3shift_search_1_11 when slice3cost_difference_1_11_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_11_value then
+        slice3cost_difference_1_11_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_11_choice := slice3shift_search_1_11;
+      end if;
+      if slice3cost_difference_1_11_value then
+        slice3cost_difference_1_11_choice_2 := slice3shift_search_1_11;
+      else
+        slice3cost_difference_1_11_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_12_value := ((slice3cost_signs_ready_words_1 / 4096) mod 2) = 1;
-      slice3cost_difference_1_12_choice := slice3shift_reference_1 when slice3cost_difference_1_12_value else
-        slice3shift_search_1_12;
-      slice3cost_difference_1_12_choice_2 := slice3shift_search_1_12 when slice3cost_difference_1_12_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_12_value then
+        slice3cost_difference_1_12_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_12_choice := slice3shift_search_1_12;
+      end if;
+      if slice3cost_difference_1_12_value then
+        slice3cost_difference_1_12_choice_2 := slice3shift_search_1_12;
+      else
+        slice3cost_difference_1_12_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_13_value := ((slice3cost_signs_ready_words_1 / 8192) mod 2) = 1;
-      slice3cost_difference_1_13_choice := slice3shift_reference_1 when slice3cost_difference_1_13_value else
-        slice3shift_search_1_13;
-      slice3cost_difference_1_13_choice_2 := slice3shift_search_1_13 when slice3cost_difference_1_13_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_13_value then
+        slice3cost_difference_1_13_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_13_choice := slice3shift_search_1_13;
+      end if;
+      if slice3cost_difference_1_13_value then
+        slice3cost_difference_1_13_choice_2 := slice3shift_search_1_13;
+      else
+        slice3cost_difference_1_13_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_14_value := ((slice3cost_signs_ready_words_1 / 16384) mod 2) = 1;
-      slice3cost_difference_1_14_choice := slice3shift_reference_1 when slice3cost_difference_1_14_value else
-        slice3shift_search_1_14;
-      slice3cost_difference_1_14_choice_2 := slice3shift_search_1_14 when slice3cost_difference_1_14_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_14_value then
+        slice3cost_difference_1_14_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_14_choice := slice3shift_search_1_14;
+      end if;
+      if slice3cost_difference_1_14_value then
+        slice3cost_difference_1_14_choice_2 := slice3shift_search_1_14;
+      else
+        slice3cost_difference_1_14_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_15_value := ((slice3cost_signs_ready_words_1 / 32768) mod 2) = 1;
-      slice3cost_difference_1_15_choice := slice3shift_reference_1 when slice3cost_difference_1_15_value else
-        slice3shift_search_1_15;
-      slice3cost_difference_1_15_choice_2 := slice3shift_search_1_15 when slice3cost_difference_1_15_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_15_value then
+        slice3cost_difference_1_15_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_15_choice := slice3shift_search_1_15;
+      end if;
+      if slice3cost_difference_1_15_value then
+        slice3cost_difference_1_15_choice_2 := slice3shift_search_1_15;
+      else
+        slice3cost_difference_1_15_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_16_value := ((slice3cost_signs_ready_words_1 / 65536) mod 2) = 1;
-      slice3cost_difference_1_16_choice := slice3shift_reference_1 when slice3cost_difference_1_16_value else
-        slice3shift_search_1_16;
-      slice3cost_difference_1_16_choice_2 := slice3shift_search_1_16 when slice3cost_difference_1_16_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_16_value then
+        slice3cost_difference_1_16_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_16_choice := slice3shift_search_1_16;
+      end if;
+      if slice3cost_difference_1_16_value then
+        slice3cost_difference_1_16_choice_2 := slice3shift_search_1_16;
+      else
+        slice3cost_difference_1_16_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_17_value := ((slice3cost_signs_ready_words_1 / 131072) mod 2) = 1;
-      slice3cost_difference_1_17_choice := slice3shift_reference_1 when slice3cost_difference_1_17_value else
-        slice3shift_search_1_17;
-      slice3cost_difference_1_17_choice_2 := slice3shift_search_1_17 when slice3cost_difference_1_17_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_17_value then
+        slice3cost_difference_1_17_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_17_choice := slice3shift_search_1_17;
+      end if;
+      if slice3cost_difference_1_17_value then
+        slice3cost_difference_1_17_choice_2 := slice3shift_search_1_17;
+      else
+        slice3cost_difference_1_17_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_18_value := ((slice3cost_signs_ready_words_1 / 262144) mod 2) = 1;
-      slice3cost_difference_1_18_choice := slice3shift_reference_1 when slice3cost_difference_1_18_value else
-        slice3shift_search_1_18;
-      slice3cost_difference_1_18_choice_2 := slice3shift_search_1_18 when slice3cost_difference_1_18_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_18_value then
+        slice3cost_difference_1_18_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_18_choice := slice3shift_search_1_18;
+      end if;
+      if slice3cost_difference_1_18_value then
+        slice3cost_difference_1_18_choice_2 := slice3shift_search_1_18;
+      else
+        slice3cost_difference_1_18_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_19_value := ((slice3cost_signs_ready_words_1 / 524288) mod 2) = 1;
-      slice3cost_difference_1_19_choice := slice3shift_reference_1 when slice3cost_difference_1_19_value else
-        slice3shift_search_1_19;
-      slice3cost_difference_1_19_choice_2 := slice3shift_search_1_19 when slice3cost_difference_1_19_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_19_value then
+        slice3cost_difference_1_19_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_19_choice := slice3shift_search_1_19;
+      end if;
+      if slice3cost_difference_1_19_value then
+        slice3cost_difference_1_19_choice_2 := slice3shift_search_1_19;
+      else
+        slice3cost_difference_1_19_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_20_value := ((slice3cost_signs_ready_words_1 / 1048576) mod 2) = 1;
-      slice3cost_difference_1_20_choice := slice3shift_reference_1 when slice3cost_difference_1_20_value else
-        slice3shift_search_1_20;
-      slice3cost_difference_1_20_choice_2 := slice3shift_search_1_20 when slice3cost_difference_1_20_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_20_value then
+        slice3cost_difference_1_20_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_20_choice := slice3shift_search_1_20;
+      end if;
+      if slice3cost_difference_1_20_value then
+        slice3cost_difference_1_20_choice_2 := slice3shift_search_1_20;
+      else
+        slice3cost_difference_1_20_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_21_value := ((slice3cost_signs_ready_words_1 / 2097152) mod 2) = 1;
-      slice3cost_difference_1_21_choice := slice3shift_reference_1 when slice3cost_difference_1_21_value else
-        slice3shift_search_1_21;
-      slice3cost_difference_1_21_choice_2 := slice3shift_search_1_21 when slice3cost_difference_1_21_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_21_value then
+        slice3cost_difference_1_21_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_21_choice := slice3shift_search_1_21;
+      end if;
+      if slice3cost_difference_1_21_value then
+        slice3cost_difference_1_21_choice_2 := slice3shift_search_1_21;
+      else
+        slice3cost_difference_1_21_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_22_value := ((slice3cost_signs_ready_words_1 / 4194304) mod 2) = 1;
-      slice3cost_difference_1_22_choice := slice3shift_reference_1 when slice3cost_difference_1_22_value else
-        slice3shift_search_1_22;
-      slice3cost_difference_1_22_choice_2 := slice3shift_search_1_22 when slice3cost_difference_1_22_value else
-        slice3shift_reference_1;
+      if slice3cost_difference_1_22_value then
+        slice3cost_difference_1_22_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_22_choice := slice3shift_search_1_22;
+      end if;
+      if slice3cost_difference_1_22_value then
+        slice3cost_difference_1_22_choice_2 := slice3shift_search_1_22;
+      else
+        slice3cost_difference_1_22_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_1_23_value := ((slice3cost_signs_ready_words_1 / 8388608) mod 2) = 1;
-      slice3cost_difference_1_23_choice := slice3shift_reference_1 when slice3cost_difference_1_23_value else
-        slice3shift_search_1_23;
-      slice3cost_difference_1_23_choice_2 := slice3shift_search_1_23 when slice3cost_difference_1_23_value else
-        slice3shift_reference_1;
-      slice3cost_difference_1_24_choice := slice3shift_reference_1 when (slice3cost_signs_ready_words_1 / 16777216) = 1
-        else slice3shift_search_1_24;
-      slice3cost_difference_1_24_choice_2 := slice3shift_search_1_24 when (slice3cost_signs_ready_words_1 / 16777216) =
-        1 else slice3shift_reference_1;
+      if slice3cost_difference_1_23_value then
+        slice3cost_difference_1_23_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_23_choice := slice3shift_search_1_23;
+      end if;
+      if slice3cost_difference_1_23_value then
+        slice3cost_difference_1_23_choice_2 := slice3shift_search_1_23;
+      else
+        slice3cost_difference_1_23_choice_2 := slice3shift_reference_1;
+      end if;
+      if (slice3cost_signs_ready_words_1 / 16777216) = 1 then
+        slice3cost_difference_1_24_choice := slice3shift_reference_1;
+      else
+        slice3cost_difference_1_24_choice := slice3shift_search_1_24;
+      end if;
+      if (slice3cost_signs_ready_words_1 / 16777216) = 1 then
+        slice3cost_difference_1_24_choice_2 := slice3shift_search_1_24;
+      else
+        slice3cost_difference_1_24_choice_2 := slice3shift_reference_1;
+      end if;
       slice3cost_difference_2_0_difference := slice3shift_search_2_0 - slice3shift_reference_2;
       slice3cost_difference_2_1_difference := slice3shift_search_2_1 - slice3shift_reference_2;
       slice3cost_difference_2_2_difference := slice3shift_search_2_2 - slice3shift_reference_2;
@@ -4290,31 +5970,6 @@ begin
       slice3cost_difference_1_22 <= (slice3cost_difference_1_22_choice - slice3cost_difference_1_22_choice_2) mod 256;
       slice3cost_difference_1_23 <= (slice3cost_difference_1_23_choice - slice3cost_difference_1_23_choice_2) mod 256;
       slice3cost_difference_1_24 <= (slice3cost_difference_1_24_choice - slice3cost_difference_1_24_choice_2) mod 256;
-      slice3cost_difference_2_0 <= slice3cost_difference_2_0_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_1 <= slice3cost_difference_2_1_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_2 <= slice3cost_difference_2_2_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_3 <= slice3cost_difference_2_3_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_4 <= slice3cost_difference_2_4_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_5 <= slice3cost_difference_2_5_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_6 <= slice3cost_difference_2_6_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_7 <= slice3cost_difference_2_7_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_8 <= slice3cost_difference_2_8_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_9 <= slice3cost_difference_2_9_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_10 <= slice3cost_difference_2_10_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_11 <= slice3cost_difference_2_11_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_12 <= slice3cost_difference_2_12_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_13 <= slice3cost_difference_2_13_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_14 <= slice3cost_difference_2_14_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_15 <= slice3cost_difference_2_15_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_16 <= slice3cost_difference_2_16_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_17 <= slice3cost_difference_2_17_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_18 <= slice3cost_difference_2_18_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_19 <= slice3cost_difference_2_19_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_20 <= slice3cost_difference_2_20_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_21 <= slice3cost_difference_2_21_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_22 <= slice3cost_difference_2_22_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_23 <= slice3cost_difference_2_23_difference when slice0cost_tag_newest_inside else 0;
-      slice3cost_difference_2_24 <= slice3cost_difference_2_24_difference when slice0cost_tag_newest_inside else 0;
       slice3cost_newest_negative_0_0 <= slice3cost_difference_2_0_difference < 0;
       slice3cost_newest_negative_0_1 <= slice3cost_difference_2_1_difference < 0;
       slice3cost_newest_negative_0_2 <= slice3cost_difference_2_2_difference < 0;
@@ -4415,31 +6070,112 @@ begin
       slice3cost_single_0_22 <= slice3cost_difference_0_22;
       slice3cost_single_0_23 <= slice3cost_difference_0_23;
       slice3cost_single_0_24 <= slice3cost_difference_0_24;
-      slice3cost_column_0_0 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_0 + slice3cost_single_0_0;
-      slice3cost_column_0_1 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_1 + slice3cost_single_0_1;
-      slice3cost_column_0_2 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_2 + slice3cost_single_0_2;
-      slice3cost_column_0_3 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_3 + slice3cost_single_0_3;
-      slice3cost_column_0_4 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_4 + slice3cost_single_0_4;
-      slice3cost_column_0_5 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_5 + slice3cost_single_0_5;
-      slice3cost_column_0_6 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_6 + slice3cost_single_0_6;
-      slice3cost_column_0_7 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_7 + slice3cost_single_0_7;
-      slice3cost_column_0_8 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_8 + slice3cost_single_0_8;
-      slice3cost_column_0_9 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_9 + slice3cost_single_0_9;
-      slice3cost_column_0_10 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_10 + slice3cost_single_0_10;
-      slice3cost_column_0_11 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_11 + slice3cost_single_0_11;
-      slice3cost_column_0_12 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_12 + slice3cost_single_0_12;
-      slice3cost_column_0_13 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_13 + slice3cost_single_0_13;
-      slice3cost_column_0_14 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_14 + slice3cost_single_0_14;
-      slice3cost_column_0_15 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_15 + slice3cost_single_0_15;
-      slice3cost_column_0_16 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_16 + slice3cost_single_0_16;
-      slice3cost_column_0_17 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_17 + slice3cost_single_0_17;
-      slice3cost_column_0_18 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_18 + slice3cost_single_0_18;
-      slice3cost_column_0_19 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_19 + slice3cost_single_0_19;
-      slice3cost_column_0_20 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_20 + slice3cost_single_0_20;
-      slice3cost_column_0_21 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_21 + slice3cost_single_0_21;
-      slice3cost_column_0_22 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_22 + slice3cost_single_0_22;
-      slice3cost_column_0_23 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_23 + slice3cost_single_0_23;
-      slice3cost_column_0_24 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_24 + slice3cost_single_0_24;
+      if slice0cost_tag_newest_inside then
+        slice3cost_difference_2_0 <= slice3cost_difference_2_0_difference;
+        slice3cost_difference_2_1 <= slice3cost_difference_2_1_difference;
+        slice3cost_difference_2_2 <= slice3cost_difference_2_2_difference;
+        slice3cost_difference_2_3 <= slice3cost_difference_2_3_difference;
+        slice3cost_difference_2_4 <= slice3cost_difference_2_4_difference;
+        slice3cost_difference_2_5 <= slice3cost_difference_2_5_difference;
+        slice3cost_difference_2_6 <= slice3cost_difference_2_6_difference;
+        slice3cost_difference_2_7 <= slice3cost_difference_2_7_difference;
+        slice3cost_difference_2_8 <= slice3cost_difference_2_8_difference;
+        slice3cost_difference_2_9 <= slice3cost_difference_2_9_difference;
+        slice3cost_difference_2_10 <= slice3cost_difference_2_10_difference;
+        slice3cost_difference_2_11 <= slice3cost_difference_2_11_difference;
+        slice3cost_difference_2_12 <= slice3cost_difference_2_12_difference;
+        slice3cost_difference_2_13 <= slice3cost_difference_2_13_difference;
+        slice3cost_difference_2_14 <= slice3cost_difference_2_14_difference;
+        slice3cost_difference_2_15 <= slice3cost_difference_2_15_difference;
+        slice3cost_difference_2_16 <= slice3cost_difference_2_16_difference;
+        slice3cost_difference_2_17 <= slice3cost_difference_2_17_difference;
+        slice3cost_difference_2_18 <= slice3cost_difference_2_18_difference;
+        slice3cost_difference_2_19 <= slice3cost_difference_2_19_difference;
+        slice3cost_difference_2_20 <= slice3cost_difference_2_20_difference;
+        slice3cost_difference_2_21 <= slice3cost_difference_2_21_difference;
+        slice3cost_difference_2_22 <= slice3cost_difference_2_22_difference;
+        slice3cost_difference_2_23 <= slice3cost_difference_2_23_difference;
+        slice3cost_difference_2_24 <= slice3cost_difference_2_24_difference;
+      else
+        slice3cost_difference_2_0 <= 0;
+        slice3cost_difference_2_1 <= 0;
+        slice3cost_difference_2_2 <= 0;
+        slice3cost_difference_2_3 <= 0;
+        slice3cost_difference_2_4 <= 0;
+        slice3cost_difference_2_5 <= 0;
+        slice3cost_difference_2_6 <= 0;
+        slice3cost_difference_2_7 <= 0;
+        slice3cost_difference_2_8 <= 0;
+        slice3cost_difference_2_9 <= 0;
+        slice3cost_difference_2_10 <= 0;
+        slice3cost_difference_2_11 <= 0;
+        slice3cost_difference_2_12 <= 0;
+        slice3cost_difference_2_13 <= 0;
+        slice3cost_difference_2_14 <= 0;
+        slice3cost_difference_2_15 <= 0;
+        slice3cost_difference_2_16 <= 0;
+        slice3cost_difference_2_17 <= 0;
+        slice3cost_difference_2_18 <= 0;
+        slice3cost_difference_2_19 <= 0;
+        slice3cost_difference_2_20 <= 0;
+        slice3cost_difference_2_21 <= 0;
+        slice3cost_difference_2_22 <= 0;
+        slice3cost_difference_2_23 <= 0;
+        slice3cost_difference_2_24 <= 0;
+      end if;
+      if slice2cost_tag_border_column then
+        slice3cost_column_0_0 <= 0;
+        slice3cost_column_0_1 <= 0;
+        slice3cost_column_0_2 <= 0;
+        slice3cost_column_0_3 <= 0;
+        slice3cost_column_0_4 <= 0;
+        slice3cost_column_0_5 <= 0;
+        slice3cost_column_0_6 <= 0;
+        slice3cost_column_0_7 <= 0;
+        slice3cost_column_0_8 <= 0;
+        slice3cost_column_0_9 <= 0;
+        slice3cost_column_0_10 <= 0;
+        slice3cost_column_0_11 <= 0;
+        slice3cost_column_0_12 <= 0;
+        slice3cost_column_0_13 <= 0;
+        slice3cost_column_0_14 <= 0;
+        slice3cost_column_0_15 <= 0;
+        slice3cost_column_0_16 <= 0;
+        slice3cost_column_0_17 <= 0;
+        slice3cost_column_0_18 <= 0;
+        slice3cost_column_0_19 <= 0;
+        slice3cost_column_0_20 <= 0;
+        slice3cost_column_0_21 <= 0;
+        slice3cost_column_0_22 <= 0;
+        slice3cost_column_0_23 <= 0;
+        slice3cost_column_0_24 <= 0;
+      else
+        slice3cost_column_0_0 <= slice3cost_pair_0_0 + slice3cost_single_0_0;
+        slice3cost_column_0_1 <= slice3cost_pair_0_1 + slice3cost_single_0_1;
+        slice3cost_column_0_2 <= slice3cost_pair_0_2 + slice3cost_single_0_2;
+        slice3cost_column_0_3 <= slice3cost_pair_0_3 + slice3cost_single_0_3;
+        slice3cost_column_0_4 <= slice3cost_pair_0_4 + slice3cost_single_0_4;
+        slice3cost_column_0_5 <= slice3cost_pair_0_5 + slice3cost_single_0_5;
+        slice3cost_column_0_6 <= slice3cost_pair_0_6 + slice3cost_single_0_6;
+        slice3cost_column_0_7 <= slice3cost_pair_0_7 + slice3cost_single_0_7;
+        slice3cost_column_0_8 <= slice3cost_pair_0_8 + slice3cost_single_0_8;
+        slice3cost_column_0_9 <= slice3cost_pair_0_9 + slice3cost_single_0_9;
+        slice3cost_column_0_10 <= slice3cost_pair_0_10 + slice3cost_single_0_10;
+        slice3cost_column_0_11 <= slice3cost_pair_0_11 + slice3cost_single_0_11;
+        slice3cost_column_0_12 <= slice3cost_pair_0_12 + slice3cost_single_0_12;
+        slice3cost_column_0_13 <= slice3cost_pair_0_13 + slice3cost_single_0_13;
+        slice3cost_column_0_14 <= slice3cost_pair_0_14 + slice3cost_single_0_14;
+        slice3cost_column_0_15 <= slice3cost_pair_0_15 + slice3cost_single_0_15;
+        slice3cost_column_0_16 <= slice3cost_pair_0_16 + slice3cost_single_0_16;
+        slice3cost_column_0_17 <= slice3cost_pair_0_17 + slice3cost_single_0_17;
+        slice3cost_column_0_18 <= slice3cost_pair_0_18 + slice3cost_single_0_18;
+        slice3cost_column_0_19 <= slice3cost_pair_0_19 + slice3cost_single_0_19;
+        slice3cost_column_0_20 <= slice3cost_pair_0_20 + slice3cost_single_0_20;
+        slice3cost_column_0_21 <= slice3cost_pair_0_21 + slice3cost_single_0_21;
+        slice3cost_column_0_22 <= slice3cost_pair_0_22 + slice3cost_single_0_22;
+        slice3cost_column_0_23 <= slice3cost_pair_0_23 + slice3cost_single_0_23;
+        slice3cost_column_0_24 <= slice3cost_pair_0_24 + slice3cost_single_0_24;
+      end if;
       if slice0window_tag_valid then
         slice3cost_signs_write_column <= slice2cost_signs_write_column;
         slice3cost_signs_write_words_0 <= slice3cost_signs_known_words_1;
@@ -4549,43 +6285,90 @@ begin
       slice3winner1_best_cost_0_9_is_less := (slice3window_sum_0_19 - slice3window_sum_0_18) < 0;
       slice3winner1_best_cost_0_10_is_less := (slice3window_sum_0_21 - slice3window_sum_0_20) < 0;
       slice3winner1_best_cost_0_11_is_less := (slice3window_sum_0_23 - slice3window_sum_0_22) < 0;
-      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_best_cost_0_0_is_less else
-        slice3window_sum_0_0;
-      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_best_cost_0_1_is_less else
-        slice3window_sum_0_2;
-      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when slice3winner1_best_cost_0_2_is_less else
-        slice3window_sum_0_4;
-      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when slice3winner1_best_cost_0_3_is_less else
-        slice3window_sum_0_6;
-      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when slice3winner1_best_cost_0_4_is_less else
-        slice3window_sum_0_8;
-      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when slice3winner1_best_cost_0_5_is_less else
-        slice3window_sum_0_10;
-      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when slice3winner1_best_cost_0_6_is_less else
-        slice3window_sum_0_12;
-      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when slice3winner1_best_cost_0_7_is_less else
-        slice3window_sum_0_14;
-      slice3winner1_best_cost_0_8 <= slice3window_sum_0_17 when slice3winner1_best_cost_0_8_is_less else
-        slice3window_sum_0_16;
-      slice3winner1_best_cost_0_9 <= slice3window_sum_0_19 when slice3winner1_best_cost_0_9_is_less else
-        slice3window_sum_0_18;
-      slice3winner1_best_cost_0_10 <= slice3window_sum_0_21 when slice3winner1_best_cost_0_10_is_less else
-        slice3window_sum_0_20;
-      slice3winner1_best_cost_0_11 <= slice3window_sum_0_23 when slice3winner1_best_cost_0_11_is_less else
-        slice3window_sum_0_22;
       slice3winner1_best_cost_0_12 <= slice3window_sum_0_24;
       slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
-      slice3winner1_best_index_0_1 <= 3 when slice3winner1_best_cost_0_1_is_less else 2;
-      slice3winner1_best_index_0_2 <= 5 when slice3winner1_best_cost_0_2_is_less else 4;
-      slice3winner1_best_index_0_3 <= 7 when slice3winner1_best_cost_0_3_is_less else 6;
-      slice3winner1_best_index_0_4 <= 9 when slice3winner1_best_cost_0_4_is_less else 8;
-      slice3winner1_best_index_0_5 <= 11 when slice3winner1_best_cost_0_5_is_less else 10;
-      slice3winner1_best_index_0_6 <= 13 when slice3winner1_best_cost_0_6_is_less else 12;
-      slice3winner1_best_index_0_7 <= 15 when slice3winner1_best_cost_0_7_is_less else 14;
-      slice3winner1_best_index_0_8 <= 17 when slice3winner1_best_cost_0_8_is_less else 16;
-      slice3winner1_best_index_0_9 <= 19 when slice3winner1_best_cost_0_9_is_less else 18;
-      slice3winner1_best_index_0_10 <= 21 when slice3winner1_best_cost_0_10_is_less else 20;
-      slice3winner1_best_index_0_11 <= 23 when slice3winner1_best_cost_0_11_is_less else 22;
+      if slice3winner1_best_cost_0_0_is_less then
+        slice3winner1_best_cost_0_0 <= slice3window_sum_0_1;
+      else
+        slice3winner1_best_cost_0_0 <= slice3window_sum_0_0;
+      end if;
+      if slice3winner1_best_cost_0_1_is_less then
+        slice3winner1_best_cost_0_1 <= slice3window_sum_0_3;
+        slice3winner1_best_index_0_1 <= 3;
+      else
+        slice3winner1_best_cost_0_1 <= slice3window_sum_0_2;
+        slice3winner1_best_index_0_1 <= 2;
+      end if;
+      if slice3winner1_best_cost_0_2_is_less then
+        slice3winner1_best_cost_0_2 <= slice3window_sum_0_5;
+        slice3winner1_best_index_0_2 <= 5;
+      else
+        slice3winner1_best_cost_0_2 <= slice3window_sum_0_4;
+        slice3winner1_best_index_0_2 <= 4;
+      end if;
+      if slice3winner1_best_cost_0_3_is_less then
+        slice3winner1_best_cost_0_3 <= slice3window_sum_0_7;
+        slice3winner1_best_index_0_3 <= 7;
+      else
+        slice3winner1_best_cost_0_3 <= slice3window_sum_0_6;
+        slice3winner1_best_index_0_3 <= 6;
+      end if;
+      if slice3winner1_best_cost_0_4_is_less then
+        slice3winner1_best_cost_0_4 <= slice3window_sum_0_9;
+        slice3winner1_best_index_0_4 <= 9;
+      else
+        slice3winner1_best_cost_0_4 <= slice3window_sum_0_8;
+        slice3winner1_best_index_0_4 <= 8;
+      end if;
+      if slice3winner1_best_cost_0_5_is_less then
+        slice3winner1_best_cost_0_5 <= slice3window_sum_0_11;
+        slice3winner1_best_index_0_5 <= 11;
+      else
+        slice3winner1_best_cost_0_5 <= slice3window_sum_0_10;
+        slice3winner1_best_index_0_5 <= 10;
+      end if;
+      if slice3winner1_best_cost_0_6_is_less then
+        slice3winner1_best_cost_0_6 <= slice3window_sum_0_13;
+        slice3winner1_best_index_0_6 <= 13;
+      else
+        slice3winner1_best_cost_0_6 <= slice3window_sum_0_12;
+        slice3winner1_best_index_0_6 <= 12;
+      end if;
+      if slice3winner1_best_cost_0_7_is_less then
+        slice3winner1_best_cost_0_7 <= slice3window_sum_0_15;
+        slice3winner1_best_index_0_7 <= 15;
+      else
+        slice3winner1_best_cost_0_7 <= slice3window_sum_0_14;
+        slice3winner1_best_index_0_7 <= 14;
+      end if;
+      if slice3winner1_best_cost_0_8_is_less then
+        slice3winner1_best_cost_0_8 <= slice3window_sum_0_17;
+        slice3winner1_best_index_0_8 <= 17;
+      else
+        slice3winner1_best_cost_0_8 <= slice3window_sum_0_16;
+        slice3winner1_best_index_0_8 <= 16;
+      end if;
+      if slice3winner1_best_cost_0_9_is_less then
+        slice3winner1_best_cost_0_9 <= slice3window_sum_0_19;
+        slice3winner1_best_index_0_9 <= 19;
+      else
+        slice3winner1_best_cost_0_9 <= slice3window_sum_0_18;
+        slice3winner1_best_index_0_9 <= 18;
+      end if;
+      if slice3winner1_best_cost_0_10_is_less then
+        slice3winner1_best_cost_0_10 <= slice3window_sum_0_21;
+        slice3winner1_best_index_0_10 <= 21;
+      else
+        slice3winner1_best_cost_0_10 <= slice3window_sum_0_20;
+        slice3winner1_best_index_0_10 <= 20;
+      end if;
+      if slice3winner1_best_cost_0_11_is_less then
+        slice3winner1_best_cost_0_11 <= slice3window_sum_0_23;
+        slice3winner1_best_index_0_11 <= 23;
+      else
+        slice3winner1_best_cost_0_11 <= slice3window_sum_0_22;
+        slice3winner1_best_index_0_11 <= 22;
+      end if;
       -- slice3winner2
       slice3winner2_best_cost_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
       slice3winner2_best_cost_0_1_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
@@ -4593,72 +6376,111 @@ begin
       slice3winner2_best_cost_0_3_is_less := (slice3winner1_best_cost_0_7 - slice3winner1_best_cost_0_6) < 0;
       slice3winner2_best_cost_0_4_is_less := (slice3winner1_best_cost_0_9 - slice3winner1_best_cost_0_8) < 0;
       slice3winner2_best_cost_0_5_is_less := (slice3winner1_best_cost_0_11 - slice3winner1_best_cost_0_10) < 0;
-      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner2_best_cost_0_0_is_less else
-        slice3winner1_best_cost_0_0;
-      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when slice3winner2_best_cost_0_1_is_less else
-        slice3winner1_best_cost_0_2;
-      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when slice3winner2_best_cost_0_2_is_less else
-        slice3winner1_best_cost_0_4;
-      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when slice3winner2_best_cost_0_3_is_less else
-        slice3winner1_best_cost_0_6;
-      slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_9 when slice3winner2_best_cost_0_4_is_less else
-        slice3winner1_best_cost_0_8;
-      slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_11 when slice3winner2_best_cost_0_5_is_less else
-        slice3winner1_best_cost_0_10;
       slice3winner2_best_cost_0_6 <= slice3winner1_best_cost_0_12;
-      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_cost_0_0_is_less else
-        as_number(slice3winner1_best_index_0_0);
-      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_cost_0_1_is_less else
-        slice3winner1_best_index_0_2;
-      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_cost_0_2_is_less else
-        slice3winner1_best_index_0_4;
-      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7 when slice3winner2_best_cost_0_3_is_less else
-        slice3winner1_best_index_0_6;
-      slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9 when slice3winner2_best_cost_0_4_is_less else
-        slice3winner1_best_index_0_8;
-      slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11 when slice3winner2_best_cost_0_5_is_less else
-        slice3winner1_best_index_0_10;
+      if slice3winner2_best_cost_0_0_is_less then
+        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1;
+        slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1;
+      else
+        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_0;
+        slice3winner2_best_index_0_0 <= as_number(slice3winner1_best_index_0_0);
+      end if;
+      if slice3winner2_best_cost_0_1_is_less then
+        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3;
+        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3;
+      else
+        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_2;
+        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_2;
+      end if;
+      if slice3winner2_best_cost_0_2_is_less then
+        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5;
+        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5;
+      else
+        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_4;
+        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_4;
+      end if;
+      if slice3winner2_best_cost_0_3_is_less then
+        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7;
+        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7;
+      else
+        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_6;
+        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_6;
+      end if;
+      if slice3winner2_best_cost_0_4_is_less then
+        slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_9;
+        slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9;
+      else
+        slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_8;
+        slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_8;
+      end if;
+      if slice3winner2_best_cost_0_5_is_less then
+        slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_11;
+        slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11;
+      else
+        slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_10;
+        slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_10;
+      end if;
       -- slice3winner3
       slice3winner3_best_cost_0_0_is_less := (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0;
       slice3winner3_best_cost_0_1_is_less := (slice3winner2_best_cost_0_3 - slice3winner2_best_cost_0_2) < 0;
       slice3winner3_best_cost_0_2_is_less := (slice3winner2_best_cost_0_5 - slice3winner2_best_cost_0_4) < 0;
-      slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when slice3winner3_best_cost_0_0_is_less else
-        slice3winner2_best_cost_0_0;
-      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when slice3winner3_best_cost_0_1_is_less else
-        slice3winner2_best_cost_0_2;
-      slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_5 when slice3winner3_best_cost_0_2_is_less else
-        slice3winner2_best_cost_0_4;
       slice3winner3_best_cost_0_3 <= slice3winner2_best_cost_0_6;
-      slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_cost_0_0_is_less else
-        slice3winner2_best_index_0_0;
-      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3 when slice3winner3_best_cost_0_1_is_less else
-        slice3winner2_best_index_0_2;
-      slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5 when slice3winner3_best_cost_0_2_is_less else
-        slice3winner2_best_index_0_4;
+      if slice3winner3_best_cost_0_0_is_less then
+        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1;
+        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1;
+      else
+        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_0;
+        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_0;
+      end if;
+      if slice3winner3_best_cost_0_1_is_less then
+        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3;
+        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3;
+      else
+        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_2;
+        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_2;
+      end if;
+      if slice3winner3_best_cost_0_2_is_less then
+        slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_5;
+        slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5;
+      else
+        slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_4;
+        slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_4;
+      end if;
       -- slice3winner4
       slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0_1 - slice3winner3_best_cost_0_0) < 0;
       slice3winner4_best_cost_0_1_is_less := (slice3winner3_best_cost_0_3 - slice3winner3_best_cost_0_2) < 0;
-      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when slice3winner4_best_cost_0_0_is_less else
-        slice3winner3_best_cost_0_0;
-      slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_3 when slice3winner4_best_cost_0_1_is_less else
-        slice3winner3_best_cost_0_2;
-      slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1 when slice3winner4_best_cost_0_0_is_less else
-        slice3winner3_best_index_0_0;
-      slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_0_1_is_less else
-        slice3winner3_best_index_0_2;
+      if slice3winner4_best_cost_0_0_is_less then
+        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1;
+        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1;
+      else
+        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_0;
+        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_0;
+      end if;
+      if slice3winner4_best_cost_0_1_is_less then
+        slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_3;
+        slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_2;
+        slice3winner4_best_index_0_1 <= slice3winner3_best_index_0_2;
+      end if;
       -- slice3winner5
       slice3winner5_best_cost_0_0_is_less := (slice3winner4_best_cost_0_1 - slice3winner4_best_cost_0_0) < 0;
-      slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_1 when slice3winner5_best_cost_0_0_is_less else
-        slice3winner4_best_cost_0_0;
-      slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1 when slice3winner5_best_cost_0_0_is_less else
-        slice3winner4_best_index_0_0;
+      if slice3winner5_best_cost_0_0_is_less then
+        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_1;
+        slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1;
+      else
+        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_0;
+        slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_0;
+      end if;
       -- slice3
-      slice3_best_index_0_0 <= slice2_best_index_0_0 when (slice2_best_cost_0_0 - slice3winner5_best_cost_0_0) < 0 else
-        slice3winner5_best_index_0_0;
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
       slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
+      if (slice2_best_cost_0_0 - slice3winner5_best_cost_0_0) < 0 then
+        slice3_best_index_0_0 <= slice2_best_index_0_0;
+      else
+        slice3_best_index_0_0 <= slice3winner5_best_index_0_0;
+      end if;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;

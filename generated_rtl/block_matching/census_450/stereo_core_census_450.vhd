@@ -1135,422 +1135,692 @@ architecture rtl of stereo_core_census_450 is
   signal other_16 : natural range 0 to 224;
   signal other_17 : natural range 0 to 192;
   signal other_18 : natural range 0 to 128;
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal map_rows_read_words_0_memory_read_enable : boolean;
+  signal map_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal map_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal slice2window_leaving_3_memory_read_enable : boolean;
+  signal slice2window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_3_memory_write_data : unsigned(31 downto 0);
+  signal slice2window_leaving_2_memory_read_enable : boolean;
+  signal slice2window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_2_memory_write_data : unsigned(31 downto 0);
+  signal slice2window_leaving_1_memory_read_enable : boolean;
+  signal slice2window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_1_memory_write_data : unsigned(31 downto 0);
+  signal slice2window_leaving_0_memory_read_enable : boolean;
+  signal slice2window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_0_memory_write_data : unsigned(31 downto 0);
+  signal slice2cost_read_words_3_memory_read_enable : boolean;
+  signal slice2cost_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_3_memory_write_data : unsigned(31 downto 0);
+  signal slice2cost_read_words_2_memory_read_enable : boolean;
+  signal slice2cost_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_2_memory_write_data : unsigned(31 downto 0);
+  signal slice2cost_read_words_1_memory_read_enable : boolean;
+  signal slice2cost_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal slice2cost_read_words_0_memory_read_enable : boolean;
+  signal slice2cost_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal slice1window_leaving_3_memory_read_enable : boolean;
+  signal slice1window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_3_memory_write_data : unsigned(31 downto 0);
+  signal slice1window_leaving_2_memory_read_enable : boolean;
+  signal slice1window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_2_memory_write_data : unsigned(31 downto 0);
+  signal slice1window_leaving_1_memory_read_enable : boolean;
+  signal slice1window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_1_memory_write_data : unsigned(31 downto 0);
+  signal slice1window_leaving_0_memory_read_enable : boolean;
+  signal slice1window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(31 downto 0);
+  signal slice1cost_read_words_3_memory_read_enable : boolean;
+  signal slice1cost_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_3_memory_write_data : unsigned(31 downto 0);
+  signal slice1cost_read_words_2_memory_read_enable : boolean;
+  signal slice1cost_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_2_memory_write_data : unsigned(31 downto 0);
+  signal slice1cost_read_words_1_memory_read_enable : boolean;
+  signal slice1cost_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal slice1cost_read_words_0_memory_read_enable : boolean;
+  signal slice1cost_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal slice0window_leaving_3_memory_read_enable : boolean;
+  signal slice0window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_3_memory_write_data : unsigned(31 downto 0);
+  signal slice0window_leaving_2_memory_read_enable : boolean;
+  signal slice0window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_2_memory_write_data : unsigned(31 downto 0);
+  signal slice0window_leaving_1_memory_read_enable : boolean;
+  signal slice0window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_1_memory_write_data : unsigned(31 downto 0);
+  signal slice0window_leaving_0_memory_read_enable : boolean;
+  signal slice0window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(31 downto 0);
+  signal slice0cost_read_words_3_memory_read_enable : boolean;
+  signal slice0cost_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_3_memory_write_data : unsigned(31 downto 0);
+  signal slice0cost_read_words_2_memory_read_enable : boolean;
+  signal slice0cost_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_2_memory_write_data : unsigned(31 downto 0);
+  signal slice0cost_read_words_1_memory_read_enable : boolean;
+  signal slice0cost_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal slice0cost_read_words_0_memory_read_enable : boolean;
+  signal slice0cost_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_8_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_8_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_8_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_8_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_7_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_7_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_7_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_7_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_6_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_6_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_6_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_6_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_5_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_5_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_5_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_5_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_4_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_4_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_4_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_4_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_3_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_3_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_2_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_8_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_8_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_8_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_8_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_7_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_7_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_7_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_7_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_6_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_6_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_6_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_6_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_5_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_5_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_5_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_5_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_4_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_4_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_4_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_4_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_3_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_3_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_2_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(25 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
   transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 16)
+    generic map (depth => 450, width => 16, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
   transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 16)
+    generic map (depth => 450, width => 16, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
+  map_rows_read_words_0_memory_read_enable <= true;
+  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 9);
+  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 9);
   map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 402, width => 26)
+    generic map (depth => 402, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
+      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
+      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
 
+  slice2window_leaving_3_memory_read_enable <= true;
+  slice2window_leaving_3_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_3_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_3_memory_write_data <= to_unsigned(slice2cost_column_0_15, 8) & to_unsigned(slice2cost_column_0_14, 8) & to_unsigned(slice2cost_column_0_13, 8) & to_unsigned(slice2cost_column_0_12, 8);
   slice2window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_3,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_3_memory_read_enable,
+      read_address => slice2window_leaving_3_memory_read_address, read_data => slice2window_leaving_3,
+      write_address => slice2window_leaving_3_memory_write_address, write_data => slice2window_leaving_3_memory_write_data);
 
+  slice2window_leaving_2_memory_read_enable <= true;
+  slice2window_leaving_2_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_2_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_2_memory_write_data <= to_unsigned(slice2cost_column_0_11, 8) & to_unsigned(slice2cost_column_0_10, 8) & to_unsigned(slice2cost_column_0_9, 8) & to_unsigned(slice2cost_column_0_8, 8);
   slice2window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_2,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_2_memory_read_enable,
+      read_address => slice2window_leaving_2_memory_read_address, read_data => slice2window_leaving_2,
+      write_address => slice2window_leaving_2_memory_write_address, write_data => slice2window_leaving_2_memory_write_data);
 
+  slice2window_leaving_1_memory_read_enable <= true;
+  slice2window_leaving_1_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_1_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_1_memory_write_data <= to_unsigned(slice2cost_column_0_7, 8) & to_unsigned(slice2cost_column_0_6, 8) & to_unsigned(slice2cost_column_0_5, 8) & to_unsigned(slice2cost_column_0_4, 8);
   slice2window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_1,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_1_memory_read_enable,
+      read_address => slice2window_leaving_1_memory_read_address, read_data => slice2window_leaving_1,
+      write_address => slice2window_leaving_1_memory_write_address, write_data => slice2window_leaving_1_memory_write_data);
 
+  slice2window_leaving_0_memory_read_enable <= true;
+  slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0_3, 8) & to_unsigned(slice2cost_column_0_2, 8) & to_unsigned(slice2cost_column_0_1, 8) & to_unsigned(slice2cost_column_0_0, 8);
   slice2window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_0,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
+      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving_0,
+      write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
 
+  slice2cost_read_words_3_memory_read_enable <= true;
+  slice2cost_read_words_3_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
+  slice2cost_read_words_3_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
   slice2cost_read_words_3_memory_write_data <= slice2cost_write_words_3;
   slice2cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 32)
+    generic map (depth => 450, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_3,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_3_memory_read_enable,
+      read_address => slice2cost_read_words_3_memory_read_address, read_data => slice2cost_read_words_3,
+      write_address => slice2cost_read_words_3_memory_write_address, write_data => slice2cost_read_words_3_memory_write_data);
 
+  slice2cost_read_words_2_memory_read_enable <= true;
+  slice2cost_read_words_2_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
+  slice2cost_read_words_2_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
   slice2cost_read_words_2_memory_write_data <= slice2cost_write_words_2;
   slice2cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 32)
+    generic map (depth => 450, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_2,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_2_memory_read_enable,
+      read_address => slice2cost_read_words_2_memory_read_address, read_data => slice2cost_read_words_2,
+      write_address => slice2cost_read_words_2_memory_write_address, write_data => slice2cost_read_words_2_memory_write_data);
 
+  slice2cost_read_words_1_memory_read_enable <= true;
+  slice2cost_read_words_1_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
+  slice2cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
   slice2cost_read_words_1_memory_write_data <= slice2cost_write_words_1;
   slice2cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 32)
+    generic map (depth => 450, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_1,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_1_memory_read_enable,
+      read_address => slice2cost_read_words_1_memory_read_address, read_data => slice2cost_read_words_1,
+      write_address => slice2cost_read_words_1_memory_write_address, write_data => slice2cost_read_words_1_memory_write_data);
 
+  slice2cost_read_words_0_memory_read_enable <= true;
+  slice2cost_read_words_0_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
+  slice2cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_write_column, 9);
   slice2cost_read_words_0_memory_write_data <= slice2cost_write_words_0;
   slice2cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 32)
+    generic map (depth => 450, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_0,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
+      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words_0,
+      write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
 
+  slice1window_leaving_3_memory_read_enable <= true;
+  slice1window_leaving_3_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_3_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0_15, 8) & to_unsigned(slice1cost_column_0_14, 8) & to_unsigned(slice1cost_column_0_13, 8) & to_unsigned(slice1cost_column_0_12, 8);
   slice1window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_3,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_3_memory_read_enable,
+      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving_3,
+      write_address => slice1window_leaving_3_memory_write_address, write_data => slice1window_leaving_3_memory_write_data);
 
+  slice1window_leaving_2_memory_read_enable <= true;
+  slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0_11, 8) & to_unsigned(slice1cost_column_0_10, 8) & to_unsigned(slice1cost_column_0_9, 8) & to_unsigned(slice1cost_column_0_8, 8);
   slice1window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_2,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
+      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving_2,
+      write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
 
+  slice1window_leaving_1_memory_read_enable <= true;
+  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0_7, 8) & to_unsigned(slice1cost_column_0_6, 8) & to_unsigned(slice1cost_column_0_5, 8) & to_unsigned(slice1cost_column_0_4, 8);
   slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_1,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
+      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving_1,
+      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
 
+  slice1window_leaving_0_memory_read_enable <= true;
+  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_3, 8) & to_unsigned(slice1cost_column_0_2, 8) & to_unsigned(slice1cost_column_0_1, 8) & to_unsigned(slice1cost_column_0_0, 8);
   slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_0,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
+      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving_0,
+      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
 
+  slice1cost_read_words_3_memory_read_enable <= true;
+  slice1cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
+  slice1cost_read_words_3_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
   slice1cost_read_words_3_memory_write_data <= slice1cost_write_words_3;
   slice1cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 32)
+    generic map (depth => 450, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_3,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_3_memory_read_enable,
+      read_address => slice1cost_read_words_3_memory_read_address, read_data => slice1cost_read_words_3,
+      write_address => slice1cost_read_words_3_memory_write_address, write_data => slice1cost_read_words_3_memory_write_data);
 
+  slice1cost_read_words_2_memory_read_enable <= true;
+  slice1cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
+  slice1cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
   slice1cost_read_words_2_memory_write_data <= slice1cost_write_words_2;
   slice1cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 32)
+    generic map (depth => 450, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_2,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_2_memory_read_enable,
+      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words_2,
+      write_address => slice1cost_read_words_2_memory_write_address, write_data => slice1cost_read_words_2_memory_write_data);
 
+  slice1cost_read_words_1_memory_read_enable <= true;
+  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
+  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
   slice1cost_read_words_1_memory_write_data <= slice1cost_write_words_1;
   slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 32)
+    generic map (depth => 450, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
+      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words_1,
+      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
 
+  slice1cost_read_words_0_memory_read_enable <= true;
+  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
+  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
   slice1cost_read_words_0_memory_write_data <= slice1cost_write_words_0;
   slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 32)
+    generic map (depth => 450, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
+      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words_0,
+      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
 
+  slice0window_leaving_3_memory_read_enable <= true;
+  slice0window_leaving_3_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_3_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0_15, 8) & to_unsigned(slice0cost_column_0_14, 8) & to_unsigned(slice0cost_column_0_13, 8) & to_unsigned(slice0cost_column_0_12, 8);
   slice0window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_3,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_3_memory_read_enable,
+      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving_3,
+      write_address => slice0window_leaving_3_memory_write_address, write_data => slice0window_leaving_3_memory_write_data);
 
+  slice0window_leaving_2_memory_read_enable <= true;
+  slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0_11, 8) & to_unsigned(slice0cost_column_0_10, 8) & to_unsigned(slice0cost_column_0_9, 8) & to_unsigned(slice0cost_column_0_8, 8);
   slice0window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_2,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
+      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving_2,
+      write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
 
+  slice0window_leaving_1_memory_read_enable <= true;
+  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0_7, 8) & to_unsigned(slice0cost_column_0_6, 8) & to_unsigned(slice0cost_column_0_5, 8) & to_unsigned(slice0cost_column_0_4, 8);
   slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_1,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
+      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving_1,
+      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
 
+  slice0window_leaving_0_memory_read_enable <= true;
+  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_3, 8) & to_unsigned(slice0cost_column_0_2, 8) & to_unsigned(slice0cost_column_0_1, 8) & to_unsigned(slice0cost_column_0_0, 8);
   slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
+      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
+  slice0cost_read_words_3_memory_read_enable <= true;
+  slice0cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_3_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
   slice0cost_read_words_3_memory_write_data <= slice0cost_write_words_3;
   slice0cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 32)
+    generic map (depth => 450, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_3,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_3_memory_read_enable,
+      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words_3,
+      write_address => slice0cost_read_words_3_memory_write_address, write_data => slice0cost_read_words_3_memory_write_data);
 
+  slice0cost_read_words_2_memory_read_enable <= true;
+  slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
   slice0cost_read_words_2_memory_write_data <= slice0cost_write_words_2;
   slice0cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 32)
+    generic map (depth => 450, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_2,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
+      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words_2,
+      write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
 
+  slice0cost_read_words_1_memory_read_enable <= true;
+  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
   slice0cost_read_words_1_memory_write_data <= slice0cost_write_words_1;
   slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 32)
+    generic map (depth => 450, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
+      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words_1,
+      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
 
+  slice0cost_read_words_0_memory_read_enable <= true;
+  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
   slice0cost_read_words_0_memory_write_data <= slice0cost_write_words_0;
   slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 32)
+    generic map (depth => 450, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
+      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words_0,
+      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_8_memory_read_enable <= true;
+  rows_search_rows_read_words_8_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_8_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_8_memory_write_data <= to_unsigned(rows_search_rows_write_words_8, 26);
   rows_search_rows_read_words_8_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_8,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_8_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_8_memory_read_enable,
+      read_address => rows_search_rows_read_words_8_memory_read_address, read_data => rows_search_rows_read_words_8,
+      write_address => rows_search_rows_read_words_8_memory_write_address, write_data => rows_search_rows_read_words_8_memory_write_data);
 
+  rows_search_rows_read_words_7_memory_read_enable <= true;
+  rows_search_rows_read_words_7_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_7_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_7_memory_write_data <= to_unsigned(rows_search_rows_write_words_7, 26);
   rows_search_rows_read_words_7_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_7,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_7_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_7_memory_read_enable,
+      read_address => rows_search_rows_read_words_7_memory_read_address, read_data => rows_search_rows_read_words_7,
+      write_address => rows_search_rows_read_words_7_memory_write_address, write_data => rows_search_rows_read_words_7_memory_write_data);
 
+  rows_search_rows_read_words_6_memory_read_enable <= true;
+  rows_search_rows_read_words_6_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_6_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_6_memory_write_data <= to_unsigned(rows_search_rows_write_words_6, 26);
   rows_search_rows_read_words_6_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_6,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_6_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_6_memory_read_enable,
+      read_address => rows_search_rows_read_words_6_memory_read_address, read_data => rows_search_rows_read_words_6,
+      write_address => rows_search_rows_read_words_6_memory_write_address, write_data => rows_search_rows_read_words_6_memory_write_data);
 
+  rows_search_rows_read_words_5_memory_read_enable <= true;
+  rows_search_rows_read_words_5_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_5_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_5_memory_write_data <= to_unsigned(rows_search_rows_write_words_5, 26);
   rows_search_rows_read_words_5_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_5,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_5_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_5_memory_read_enable,
+      read_address => rows_search_rows_read_words_5_memory_read_address, read_data => rows_search_rows_read_words_5,
+      write_address => rows_search_rows_read_words_5_memory_write_address, write_data => rows_search_rows_read_words_5_memory_write_data);
 
+  rows_search_rows_read_words_4_memory_read_enable <= true;
+  rows_search_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_4_memory_write_data <= to_unsigned(rows_search_rows_write_words_4, 26);
   rows_search_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_4,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_4_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_4_memory_read_enable,
+      read_address => rows_search_rows_read_words_4_memory_read_address, read_data => rows_search_rows_read_words_4,
+      write_address => rows_search_rows_read_words_4_memory_write_address, write_data => rows_search_rows_read_words_4_memory_write_data);
 
+  rows_search_rows_read_words_3_memory_read_enable <= true;
+  rows_search_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words_3, 26);
   rows_search_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_3,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_3_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_3_memory_read_enable,
+      read_address => rows_search_rows_read_words_3_memory_read_address, read_data => rows_search_rows_read_words_3,
+      write_address => rows_search_rows_read_words_3_memory_write_address, write_data => rows_search_rows_read_words_3_memory_write_data);
 
+  rows_search_rows_read_words_2_memory_read_enable <= true;
+  rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words_2, 26);
   rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
+      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words_2,
+      write_address => rows_search_rows_read_words_2_memory_write_address, write_data => rows_search_rows_read_words_2_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 26);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 26);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_8_memory_read_enable <= true;
+  rows_reference_rows_read_words_8_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_8_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_8_memory_write_data <= to_unsigned(rows_reference_rows_write_words_8, 26);
   rows_reference_rows_read_words_8_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_8,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_8_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_8_memory_read_enable,
+      read_address => rows_reference_rows_read_words_8_memory_read_address, read_data => rows_reference_rows_read_words_8,
+      write_address => rows_reference_rows_read_words_8_memory_write_address, write_data => rows_reference_rows_read_words_8_memory_write_data);
 
+  rows_reference_rows_read_words_7_memory_read_enable <= true;
+  rows_reference_rows_read_words_7_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_7_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_7_memory_write_data <= to_unsigned(rows_reference_rows_write_words_7, 26);
   rows_reference_rows_read_words_7_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_7,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_7_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_7_memory_read_enable,
+      read_address => rows_reference_rows_read_words_7_memory_read_address, read_data => rows_reference_rows_read_words_7,
+      write_address => rows_reference_rows_read_words_7_memory_write_address, write_data => rows_reference_rows_read_words_7_memory_write_data);
 
+  rows_reference_rows_read_words_6_memory_read_enable <= true;
+  rows_reference_rows_read_words_6_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_6_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_6_memory_write_data <= to_unsigned(rows_reference_rows_write_words_6, 26);
   rows_reference_rows_read_words_6_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_6,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_6_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_6_memory_read_enable,
+      read_address => rows_reference_rows_read_words_6_memory_read_address, read_data => rows_reference_rows_read_words_6,
+      write_address => rows_reference_rows_read_words_6_memory_write_address, write_data => rows_reference_rows_read_words_6_memory_write_data);
 
+  rows_reference_rows_read_words_5_memory_read_enable <= true;
+  rows_reference_rows_read_words_5_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_5_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_5_memory_write_data <= to_unsigned(rows_reference_rows_write_words_5, 26);
   rows_reference_rows_read_words_5_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_5,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_5_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_5_memory_read_enable,
+      read_address => rows_reference_rows_read_words_5_memory_read_address, read_data => rows_reference_rows_read_words_5,
+      write_address => rows_reference_rows_read_words_5_memory_write_address, write_data => rows_reference_rows_read_words_5_memory_write_data);
 
+  rows_reference_rows_read_words_4_memory_read_enable <= true;
+  rows_reference_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_4_memory_write_data <= to_unsigned(rows_reference_rows_write_words_4, 26);
   rows_reference_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_4,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_4_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_4_memory_read_enable,
+      read_address => rows_reference_rows_read_words_4_memory_read_address, read_data => rows_reference_rows_read_words_4,
+      write_address => rows_reference_rows_read_words_4_memory_write_address, write_data => rows_reference_rows_read_words_4_memory_write_data);
 
+  rows_reference_rows_read_words_3_memory_read_enable <= true;
+  rows_reference_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_3_memory_write_data <= to_unsigned(rows_reference_rows_write_words_3, 26);
   rows_reference_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_3,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_3_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_3_memory_read_enable,
+      read_address => rows_reference_rows_read_words_3_memory_read_address, read_data => rows_reference_rows_read_words_3,
+      write_address => rows_reference_rows_read_words_3_memory_write_address, write_data => rows_reference_rows_read_words_3_memory_write_data);
 
+  rows_reference_rows_read_words_2_memory_read_enable <= true;
+  rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words_2, 26);
   rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
+      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words_2,
+      write_address => rows_reference_rows_read_words_2_memory_write_address, write_data => rows_reference_rows_read_words_2_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 26);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 26);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 26)
+    generic map (depth => 450, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -2039,603 +2309,1362 @@ begin
       transform_counter_group_is_equal := transform_counter_group = 374;
       transform_counter_group_is_equal_2 := transform_counter_column = 449;
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      transform_counter_group_choice := 375 when transform_counter_group_all else 0;
+      if transform_counter_group_all then
+        transform_counter_group_choice := 375;
+      else
+        transform_counter_group_choice := 0;
+      end if;
       transform_counter_group_differs := transform_counter_group /= 376;
-      transform_counter_group_choice_2 := 1 when (transform_counter_group = 375) and transform_counter_next_frame else
-        (transform_counter_group + 1) mod 512;
-      transform_counter_group_choice_3 := transform_counter_group_choice_2 when transform_counter_group_differs and
-        in_valid and transform_counter_group_is_equal_2 else transform_counter_group;
+      if (transform_counter_group = 375) and transform_counter_next_frame then
+        transform_counter_group_choice_2 := 1;
+      else
+        transform_counter_group_choice_2 := (transform_counter_group + 1) mod 512;
+      end if;
+      if transform_counter_group_differs and in_valid and transform_counter_group_is_equal_2 then
+        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+      else
+        transform_counter_group_choice_3 := transform_counter_group;
+      end if;
       transform_read_column_inside_0_is_less := 3 < transform_counter_column;
       transform_left_filter_feature_0_value := ((transform_left_filter_column_4_1 / 2) mod 2) = 1;
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
         ((transform_left_filter_column_4_1 mod 2) = 1));
-      transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_8_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      if (transform_left_filter_column_8_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
+      end if;
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column_4_1 mod 4) = 0;
-      transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice when
-        ((transform_left_filter_column_8_0 / 2) mod 2) = 1 else ((transform_left_filter_column_8_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
+      if ((transform_left_filter_column_8_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      else
+        transform_left_filter_feature_0_choice_2 := ((transform_left_filter_column_8_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
       transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_4_1 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_2 else (not
-        (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choice_2 then
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
       transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_4_1 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_3 else (not
-        (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      if transform_left_filter_feature_0_choice_3 then
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
       transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_4_1 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_4 else (not
-        (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choice_4 then
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
       transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_4_1 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_5 else (not
-        (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      if transform_left_filter_feature_0_choice_5 then
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
       transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_4_1 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_6 else (not
-        (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_8_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_7 else
-        ((transform_left_filter_column_8_0 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_8_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9 when
-        ((transform_left_filter_column_8_1 / 2) mod 2) = 1 else ((transform_left_filter_column_8_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_10 else (not
-        (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_11 else (not
-        (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_12 else (not
-        (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_13 else (not
-        (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_14 else (not
-        (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_8_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_15 else
-        ((transform_left_filter_column_8_1 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_8_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17 when
-        ((transform_left_filter_column_8_2 / 2) mod 2) = 1 else ((transform_left_filter_column_8_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_18 else (not
-        (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_19 else (not
-        (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_20 else (not
-        (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_21 else (not
-        (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_22 else (not
-        (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_8_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_23 else
-        ((transform_left_filter_column_8_2 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_7_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25 when
-        ((transform_left_filter_column_7_0 / 2) mod 2) = 1 else ((transform_left_filter_column_7_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_26 else (not
-        (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_27 else (not
-        (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_28 else (not
-        (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_29 else (not
-        (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_30 else (not
-        (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_7_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_31 else
-        ((transform_left_filter_column_7_0 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_7_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33 when
-        ((transform_left_filter_column_7_1 / 2) mod 2) = 1 else ((transform_left_filter_column_7_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_34 else (not
-        (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_35 else (not
-        (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_36 else (not
-        (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_37 else (not
-        (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_38 else (not
-        (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_7_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_39 else
-        ((transform_left_filter_column_7_1 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_7_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41 when
-        ((transform_left_filter_column_7_2 / 2) mod 2) = 1 else ((transform_left_filter_column_7_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_42 else (not
-        (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_43 else (not
-        (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_44 else (not
-        (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_45 else (not
-        (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_46 else (not
-        (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_7_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_47 else
-        ((transform_left_filter_column_7_2 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_6_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49 when
-        ((transform_left_filter_column_6_0 / 2) mod 2) = 1 else ((transform_left_filter_column_6_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_50 else (not
-        (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_51 else (not
-        (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_52 else (not
-        (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_53 else (not
-        (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_54 else (not
-        (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_6_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_55 else
-        ((transform_left_filter_column_6_0 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_6_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57 when
-        ((transform_left_filter_column_6_1 / 2) mod 2) = 1 else ((transform_left_filter_column_6_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_58 else (not
-        (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_59 else (not
-        (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_60 else (not
-        (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_61 else (not
-        (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_62 else (not
-        (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_6_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_63 else
-        ((transform_left_filter_column_6_1 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_6_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65 when
-        ((transform_left_filter_column_6_2 / 2) mod 2) = 1 else ((transform_left_filter_column_6_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_66 else (not
-        (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_67 else (not
-        (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_68 else (not
-        (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_69 else (not
-        (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_70 else (not
-        (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_6_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_71 else
-        ((transform_left_filter_column_6_2 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_5_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73 when
-        ((transform_left_filter_column_5_0 / 2) mod 2) = 1 else ((transform_left_filter_column_5_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_74 else (not
-        (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_75 else (not
-        (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_76 else (not
-        (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_77 else (not
-        (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_78 else (not
-        (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_5_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_79 else
-        ((transform_left_filter_column_5_0 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_5_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81 when
-        ((transform_left_filter_column_5_1 / 2) mod 2) = 1 else ((transform_left_filter_column_5_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_82 else (not
-        (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_83 else (not
-        (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_84 else (not
-        (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_85 else (not
-        (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_86 else (not
-        (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_88 := ((transform_left_filter_column_5_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_87 else
-        ((transform_left_filter_column_5_1 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_5_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_choice_89 when
-        ((transform_left_filter_column_5_2 / 2) mod 2) = 1 else ((transform_left_filter_column_5_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_90 else (not
-        (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_91 else (not
-        (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_92 else (not
-        (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_93 else (not
-        (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_94 else (not
-        (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_5_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_95 else
-        ((transform_left_filter_column_5_2 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_choice_97 when
-        ((transform_left_filter_column_4_2 / 2) mod 2) = 1 else ((transform_left_filter_column_4_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_98 else (not
-        (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_99 else (not
-        (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_100 else (not
-        (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_101 else (not
-        (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_102 else (not
-        (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_104 := transform_filtering_0_column_inside_4 and
-        ((transform_left_filter_column_4_2 / 128) = 1) and (not ((transform_left_filter_column_4_1 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_103 else transform_filtering_0_column_inside_4 and
-        (((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1)));
-      transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105 when
-        ((transform_left_filter_column_3_1 / 2) mod 2) = 1 else ((transform_left_filter_column_3_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_106 else (not
-        (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_107 else (not
-        (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_108 else (not
-        (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_109 else (not
-        (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_110 else (not
-        (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_111 else
-        ((transform_left_filter_column_3_1 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_choice_113 when
-        ((transform_left_filter_column_3_2 / 2) mod 2) = 1 else ((transform_left_filter_column_3_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_114 else (not
-        (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_115 else (not
-        (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_116 else (not
-        (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_117 else (not
-        (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_118 else (not
-        (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_119 else
-        ((transform_left_filter_column_3_2 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_121 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_choice_121 when
-        ((transform_left_filter_column_3_0 / 2) mod 2) = 1 else ((transform_left_filter_column_3_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_122 else (not
-        (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_123 else (not
-        (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_124 else (not
-        (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_125 else (not
-        (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_126 else (not
-        (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_127 else
-        ((transform_left_filter_column_3_0 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_129 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_choice_129 when
-        ((transform_left_filter_column_2_1 / 2) mod 2) = 1 else ((transform_left_filter_column_2_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_130 else (not
-        (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_131 else (not
-        (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_132 else (not
-        (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_133 else (not
-        (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_134 else (not
-        (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_135 else
-        ((transform_left_filter_column_2_1 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_137 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_choice_137 when
-        ((transform_left_filter_column_2_2 / 2) mod 2) = 1 else ((transform_left_filter_column_2_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_138 else (not
-        (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_139 else (not
-        (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_140 else (not
-        (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_141 else (not
-        (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_142 else (not
-        (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_2_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_143 else
-        ((transform_left_filter_column_2_2 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_145 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_choice_145 when
-        ((transform_left_filter_column_2_0 / 2) mod 2) = 1 else ((transform_left_filter_column_2_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_146 else (not
-        (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_147 else (not
-        (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_148 else (not
-        (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_149 else (not
-        (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_150 else (not
-        (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_151 else
-        ((transform_left_filter_column_2_0 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_153 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_choice_153 when
-        ((transform_left_filter_column_1_1 / 2) mod 2) = 1 else ((transform_left_filter_column_1_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_154 else (not
-        (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_155 else (not
-        (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_156 else (not
-        (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_157 else (not
-        (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_158 else (not
-        (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_159 else
-        ((transform_left_filter_column_1_1 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_choice_161 when
-        ((transform_left_filter_column_1_2 / 2) mod 2) = 1 else ((transform_left_filter_column_1_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_162 else (not
-        (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_163 else (not
-        (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_164 else (not
-        (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_165 else (not
-        (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_166 else (not
-        (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_167 else
-        ((transform_left_filter_column_1_2 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_choice_169 when
-        ((transform_left_filter_column_1_0 / 2) mod 2) = 1 else ((transform_left_filter_column_1_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_170 else (not
-        (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_171 else (not
-        (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_172 else (not
-        (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_173 else (not
-        (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_174 else (not
-        (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_175 else
-        ((transform_left_filter_column_1_0 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_177 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_choice_177 when
-        ((transform_left_filter_column_0_1 / 2) mod 2) = 1 else ((transform_left_filter_column_0_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_178 else (not
-        (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_179 else (not
-        (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_180 else (not
-        (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_181 else (not
-        (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_182 else (not
-        (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_183 else
-        ((transform_left_filter_column_0_1 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_185 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_186 := transform_left_filter_feature_0_choice_185 when
-        ((transform_left_filter_column_0_2 / 2) mod 2) = 1 else ((transform_left_filter_column_0_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_187 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_186 else (not
-        (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_188 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_187 else (not
-        (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_189 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_188 else (not
-        (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_190 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_189 else (not
-        (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_191 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_190 else (not
-        (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_192 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_191 else
-        ((transform_left_filter_column_0_2 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_193 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1) when
-        (transform_left_filter_column_4_1 mod 2) = 1 else (transform_left_filter_column_0_0 mod 4) = 0;
-      transform_left_filter_feature_0_choice_194 := ((transform_left_filter_column_4_1 mod 2) = 1) or (not
-        (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1))
-        when transform_left_filter_feature_0_value else transform_left_filter_feature_0_choice_193;
+      if transform_left_filter_feature_0_choice_6 then
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_7 then
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_8_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_8_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_8_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_9 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_8_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9;
+      else
+        transform_left_filter_feature_0_choice_10 := ((transform_left_filter_column_8_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_10 then
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_11 then
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_12 then
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_13 then
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_14 then
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_15 then
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_8_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_8_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_8_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_17 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_8_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17;
+      else
+        transform_left_filter_feature_0_choice_18 := ((transform_left_filter_column_8_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_18 then
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_19 then
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_20 then
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_21 then
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_22 then
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_23 then
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_8_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_8_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_7_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_25 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_7_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25;
+      else
+        transform_left_filter_feature_0_choice_26 := ((transform_left_filter_column_7_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_26 then
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_27 then
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_28 then
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_29 then
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_30 then
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_31 then
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_7_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_7_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_7_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_33 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_7_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33;
+      else
+        transform_left_filter_feature_0_choice_34 := ((transform_left_filter_column_7_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_34 then
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_35 then
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_36 then
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_37 then
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_38 then
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_39 then
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_7_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_7_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_7_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_41 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_7_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41;
+      else
+        transform_left_filter_feature_0_choice_42 := ((transform_left_filter_column_7_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_42 then
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_43 then
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_44 then
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_45 then
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_46 then
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_47 then
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_7_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_7_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_6_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_49 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49;
+      else
+        transform_left_filter_feature_0_choice_50 := ((transform_left_filter_column_6_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_50 then
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_51 then
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_52 then
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_53 then
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_54 then
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_55 then
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_6_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_6_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_6_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_57 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57;
+      else
+        transform_left_filter_feature_0_choice_58 := ((transform_left_filter_column_6_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_58 then
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_59 then
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_60 then
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_61 then
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_62 then
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_63 then
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_6_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_6_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_6_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_65 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65;
+      else
+        transform_left_filter_feature_0_choice_66 := ((transform_left_filter_column_6_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_66 then
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_67 then
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_68 then
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_69 then
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_70 then
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_71 then
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_6_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_6_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_73 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_5_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73;
+      else
+        transform_left_filter_feature_0_choice_74 := ((transform_left_filter_column_5_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_74 then
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_75 then
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_76 then
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_77 then
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_78 then
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_79 then
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_5_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_5_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_81 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_5_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81;
+      else
+        transform_left_filter_feature_0_choice_82 := ((transform_left_filter_column_5_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_82 then
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_83 then
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_84 then
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_85 then
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_86 then
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_87 then
+        transform_left_filter_feature_0_choice_88 := ((transform_left_filter_column_5_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_88 := ((transform_left_filter_column_5_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_89 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_5_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_choice_89;
+      else
+        transform_left_filter_feature_0_choice_90 := ((transform_left_filter_column_5_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_90 then
+        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_91 then
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_92 then
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_93 then
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_94 then
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_95 then
+        transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_5_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_5_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_97 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_choice_97;
+      else
+        transform_left_filter_feature_0_choice_98 := ((transform_left_filter_column_4_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_98 then
+        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_99 then
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_100 then
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_101 then
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_102 then
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_103 then
+        transform_left_filter_feature_0_choice_104 := transform_filtering_0_column_inside_4 and
+          ((transform_left_filter_column_4_2 / 128) = 1) and (not ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_104 := transform_filtering_0_column_inside_4 and
+          (((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_3_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_105 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105;
+      else
+        transform_left_filter_feature_0_choice_106 := ((transform_left_filter_column_3_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_106 then
+        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_107 then
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_108 then
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_109 then
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_110 then
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_111 then
+        transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_3_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_113 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_choice_113;
+      else
+        transform_left_filter_feature_0_choice_114 := ((transform_left_filter_column_3_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_114 then
+        transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_115 then
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_116 then
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_117 then
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_118 then
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_119 then
+        transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_3_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_121 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_121 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_choice_121;
+      else
+        transform_left_filter_feature_0_choice_122 := ((transform_left_filter_column_3_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_122 then
+        transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_123 then
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_124 then
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_125 then
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_126 then
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_127 then
+        transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_3_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_129 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_129 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_choice_129;
+      else
+        transform_left_filter_feature_0_choice_130 := ((transform_left_filter_column_2_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_130 then
+        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_131 then
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_132 then
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_133 then
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_134 then
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_135 then
+        transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_2_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_137 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_137 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_choice_137;
+      else
+        transform_left_filter_feature_0_choice_138 := ((transform_left_filter_column_2_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_138 then
+        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_139 then
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_140 then
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_141 then
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_142 then
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_143 then
+        transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_2_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_2_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_145 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_145 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_choice_145;
+      else
+        transform_left_filter_feature_0_choice_146 := ((transform_left_filter_column_2_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_146 then
+        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_147 then
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_148 then
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_149 then
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_150 then
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_151 then
+        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_2_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_153 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_153 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_choice_153;
+      else
+        transform_left_filter_feature_0_choice_154 := ((transform_left_filter_column_1_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_154 then
+        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_155 then
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_156 then
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_157 then
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_158 then
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_159 then
+        transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_1_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_161 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_choice_161;
+      else
+        transform_left_filter_feature_0_choice_162 := ((transform_left_filter_column_1_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_162 then
+        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_163 then
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_164 then
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_165 then
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_166 then
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_167 then
+        transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_1_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_169 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_choice_169;
+      else
+        transform_left_filter_feature_0_choice_170 := ((transform_left_filter_column_1_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_170 then
+        transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_171 then
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_172 then
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_173 then
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_174 then
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_175 then
+        transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_1_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_177 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_177 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_choice_177;
+      else
+        transform_left_filter_feature_0_choice_178 := ((transform_left_filter_column_0_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_178 then
+        transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_179 then
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_180 then
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_181 then
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_182 then
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_183 then
+        transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_185 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_185 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_186 := transform_left_filter_feature_0_choice_185;
+      else
+        transform_left_filter_feature_0_choice_186 := ((transform_left_filter_column_0_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_186 then
+        transform_left_filter_feature_0_choice_187 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_187 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_187 then
+        transform_left_filter_feature_0_choice_188 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_188 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_188 then
+        transform_left_filter_feature_0_choice_189 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_189 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_189 then
+        transform_left_filter_feature_0_choice_190 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_190 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_190 then
+        transform_left_filter_feature_0_choice_191 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_191 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_191 then
+        transform_left_filter_feature_0_choice_192 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_192 := ((transform_left_filter_column_0_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_193 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1);
+      else
+        transform_left_filter_feature_0_choice_193 := (transform_left_filter_column_0_0 mod 4) = 0;
+      end if;
+      if transform_left_filter_feature_0_value then
+        transform_left_filter_feature_0_choice_194 := ((transform_left_filter_column_4_1 mod 2) = 1) or (not
+          (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1));
+      else
+        transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193;
+      end if;
       transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_195 := (not transform_left_filter_feature_0_value_2) and
-        transform_left_filter_feature_0_value_7 when transform_left_filter_feature_0_choice_194 else (not
-        transform_left_filter_feature_0_value_2) or transform_left_filter_feature_0_value_7;
+      if transform_left_filter_feature_0_choice_194 then
+        transform_left_filter_feature_0_choice_195 := (not transform_left_filter_feature_0_value_2) and
+          transform_left_filter_feature_0_value_7;
+      else
+        transform_left_filter_feature_0_choice_195 := (not transform_left_filter_feature_0_value_2) or
+          transform_left_filter_feature_0_value_7;
+      end if;
       transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_196 := (not transform_left_filter_feature_0_value_3) or
-        transform_left_filter_feature_0_value_8 when transform_left_filter_feature_0_choice_195 else (not
-        transform_left_filter_feature_0_value_3) and transform_left_filter_feature_0_value_8;
+      if transform_left_filter_feature_0_choice_195 then
+        transform_left_filter_feature_0_choice_196 := (not transform_left_filter_feature_0_value_3) or
+          transform_left_filter_feature_0_value_8;
+      else
+        transform_left_filter_feature_0_choice_196 := (not transform_left_filter_feature_0_value_3) and
+          transform_left_filter_feature_0_value_8;
+      end if;
       transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_197 := (not transform_left_filter_feature_0_value_4) or
-        transform_left_filter_feature_0_value_9 when transform_left_filter_feature_0_choice_196 else (not
-        transform_left_filter_feature_0_value_4) and transform_left_filter_feature_0_value_9;
+      if transform_left_filter_feature_0_choice_196 then
+        transform_left_filter_feature_0_choice_197 := (not transform_left_filter_feature_0_value_4) or
+          transform_left_filter_feature_0_value_9;
+      else
+        transform_left_filter_feature_0_choice_197 := (not transform_left_filter_feature_0_value_4) and
+          transform_left_filter_feature_0_value_9;
+      end if;
       transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_198 := (not transform_left_filter_feature_0_value_5) or
-        transform_left_filter_feature_0_value_10 when transform_left_filter_feature_0_choice_197 else (not
-        transform_left_filter_feature_0_value_5) and transform_left_filter_feature_0_value_10;
+      if transform_left_filter_feature_0_choice_197 then
+        transform_left_filter_feature_0_choice_198 := (not transform_left_filter_feature_0_value_5) or
+          transform_left_filter_feature_0_value_10;
+      else
+        transform_left_filter_feature_0_choice_198 := (not transform_left_filter_feature_0_value_5) and
+          transform_left_filter_feature_0_value_10;
+      end if;
       transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_199 := (not transform_left_filter_feature_0_value_6) or
-        transform_left_filter_feature_0_value_11 when transform_left_filter_feature_0_choice_198 else (not
-        transform_left_filter_feature_0_value_6) and transform_left_filter_feature_0_value_11;
-      transform_left_filter_feature_0_choice_200 := (not ((transform_left_filter_column_4_1 / 128) = 1)) or
-        ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_199 else (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
+      if transform_left_filter_feature_0_choice_198 then
+        transform_left_filter_feature_0_choice_199 := (not transform_left_filter_feature_0_value_6) or
+          transform_left_filter_feature_0_value_11;
+      else
+        transform_left_filter_feature_0_choice_199 := (not transform_left_filter_feature_0_value_6) and
+          transform_left_filter_feature_0_value_11;
+      end if;
+      if transform_left_filter_feature_0_choice_199 then
+        transform_left_filter_feature_0_choice_200 := (not ((transform_left_filter_column_4_1 / 128) = 1)) or
+          ((transform_left_filter_column_0_0 / 128) = 1);
+      else
+        transform_left_filter_feature_0_choice_200 := (not ((transform_left_filter_column_4_1 / 128) = 1)) and
+          ((transform_left_filter_column_0_0 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_201 := (as_number(transform_left_filter_feature_0_choice_184) * 2) +
           (as_number(transform_left_filter_feature_0_choice_192) * 4) +
@@ -2664,29 +3693,59 @@ begin
       else
         transform_left_filter_feature_0_choice_204 := transform_left_filter_feature_0_choice_203;
       end if;
-      transform_left_filter_feature_0_choice_205 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_206 := transform_left_filter_feature_0_choice_205 when
-        ((transform_left_filter_column_4_0 / 2) mod 2) = 1 else ((transform_left_filter_column_4_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_207 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_206 else (not
-        (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_208 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_207 else (not
-        (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_209 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_208 else (not
-        (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_210 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_209 else (not
-        (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_211 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_210 else (not
-        (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_212 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_1 / 128) = 1)) when transform_left_filter_feature_0_choice_211 else
-        ((transform_left_filter_column_4_0 / 128) = 1) or (not ((transform_left_filter_column_4_1 / 128) = 1));
+      if (transform_left_filter_column_4_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_205 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_205 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_206 := transform_left_filter_feature_0_choice_205;
+      else
+        transform_left_filter_feature_0_choice_206 := ((transform_left_filter_column_4_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_206 then
+        transform_left_filter_feature_0_choice_207 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_207 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_207 then
+        transform_left_filter_feature_0_choice_208 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_208 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_208 then
+        transform_left_filter_feature_0_choice_209 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_209 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_209 then
+        transform_left_filter_feature_0_choice_210 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_210 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_210 then
+        transform_left_filter_feature_0_choice_211 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_211 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_211 then
+        transform_left_filter_feature_0_choice_212 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_212 := ((transform_left_filter_column_4_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_1 / 128) = 1));
+      end if;
       if transform_filtering_0_column_inside_4 then
         transform_left_filter_feature_0_choice_213 := transform_left_filter_feature_0_choice_204 +
           (as_number(transform_left_filter_feature_0_choice_212) * 4096);
@@ -2719,593 +3778,1343 @@ begin
       transform_right_filter_feature_0_value := ((transform_right_filter_column_4_1 / 2) mod 2) = 1;
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
         ((transform_right_filter_column_4_1 mod 2) = 1));
-      transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_8_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      if (transform_right_filter_column_8_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
+      end if;
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column_4_1 mod 4) = 0;
-      transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice when
-        ((transform_right_filter_column_8_0 / 2) mod 2) = 1 else ((transform_right_filter_column_8_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
+      if ((transform_right_filter_column_8_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      else
+        transform_right_filter_feature_0_choice_2 := ((transform_right_filter_column_8_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
       transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_4_1 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_2 else (not
-        (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choice_2 then
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
       transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_4_1 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_3 else (not
-        (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      if transform_right_filter_feature_0_choice_3 then
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
       transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_4_1 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_4 else (not
-        (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choice_4 then
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
       transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_4_1 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_5 else (not
-        (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      if transform_right_filter_feature_0_choice_5 then
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
       transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_4_1 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_6 else (not
-        (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_8_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_7 else
-        ((transform_right_filter_column_8_0 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_8_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9 when
-        ((transform_right_filter_column_8_1 / 2) mod 2) = 1 else ((transform_right_filter_column_8_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_10 else (not
-        (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_11 else (not
-        (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_12 else (not
-        (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_13 else (not
-        (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_14 else (not
-        (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_8_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_15 else
-        ((transform_right_filter_column_8_1 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_8_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17 when
-        ((transform_right_filter_column_8_2 / 2) mod 2) = 1 else ((transform_right_filter_column_8_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_18 else (not
-        (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_19 else (not
-        (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_20 else (not
-        (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_21 else (not
-        (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_22 else (not
-        (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_8_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_23 else
-        ((transform_right_filter_column_8_2 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_7_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25 when
-        ((transform_right_filter_column_7_0 / 2) mod 2) = 1 else ((transform_right_filter_column_7_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_26 else (not
-        (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_27 else (not
-        (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_28 else (not
-        (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_29 else (not
-        (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_30 else (not
-        (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_7_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_31 else
-        ((transform_right_filter_column_7_0 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_7_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33 when
-        ((transform_right_filter_column_7_1 / 2) mod 2) = 1 else ((transform_right_filter_column_7_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_34 else (not
-        (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_35 else (not
-        (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_36 else (not
-        (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_37 else (not
-        (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_38 else (not
-        (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_7_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_39 else
-        ((transform_right_filter_column_7_1 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_7_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41 when
-        ((transform_right_filter_column_7_2 / 2) mod 2) = 1 else ((transform_right_filter_column_7_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_42 else (not
-        (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_43 else (not
-        (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_44 else (not
-        (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_45 else (not
-        (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_46 else (not
-        (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_7_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_47 else
-        ((transform_right_filter_column_7_2 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_6_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49 when
-        ((transform_right_filter_column_6_0 / 2) mod 2) = 1 else ((transform_right_filter_column_6_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_50 else (not
-        (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_51 else (not
-        (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_52 else (not
-        (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_53 else (not
-        (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_54 else (not
-        (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_6_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_55 else
-        ((transform_right_filter_column_6_0 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_6_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57 when
-        ((transform_right_filter_column_6_1 / 2) mod 2) = 1 else ((transform_right_filter_column_6_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_58 else (not
-        (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_59 else (not
-        (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_60 else (not
-        (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_61 else (not
-        (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_62 else (not
-        (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_6_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_63 else
-        ((transform_right_filter_column_6_1 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_6_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65 when
-        ((transform_right_filter_column_6_2 / 2) mod 2) = 1 else ((transform_right_filter_column_6_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_66 else (not
-        (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_67 else (not
-        (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_68 else (not
-        (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_69 else (not
-        (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_70 else (not
-        (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_6_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_71 else
-        ((transform_right_filter_column_6_2 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_5_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73 when
-        ((transform_right_filter_column_5_0 / 2) mod 2) = 1 else ((transform_right_filter_column_5_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_74 else (not
-        (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_75 else (not
-        (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_76 else (not
-        (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_77 else (not
-        (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_78 else (not
-        (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_5_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_79 else
-        ((transform_right_filter_column_5_0 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_5_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81 when
-        ((transform_right_filter_column_5_1 / 2) mod 2) = 1 else ((transform_right_filter_column_5_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_82 else (not
-        (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_83 else (not
-        (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_84 else (not
-        (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_85 else (not
-        (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_86 else (not
-        (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_88 := ((transform_right_filter_column_5_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_87 else
-        ((transform_right_filter_column_5_1 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_5_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_choice_89 when
-        ((transform_right_filter_column_5_2 / 2) mod 2) = 1 else ((transform_right_filter_column_5_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_90 else (not
-        (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_91 else (not
-        (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_92 else (not
-        (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_93 else (not
-        (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_94 else (not
-        (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_5_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_95 else
-        ((transform_right_filter_column_5_2 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97 when
-        ((transform_right_filter_column_4_2 / 2) mod 2) = 1 else ((transform_right_filter_column_4_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_98 else (not
-        (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_99 else (not
-        (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_100 else (not
-        (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_101 else (not
-        (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_102 else (not
-        (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_104 := transform_filtering_0_column_inside_4 and
-        ((transform_right_filter_column_4_2 / 128) = 1) and (not ((transform_right_filter_column_4_1 / 128) = 1)) when
-        transform_right_filter_feature_0_choice_103 else transform_filtering_0_column_inside_4 and
-        (((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1)));
-      transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_choice_105 when
-        ((transform_right_filter_column_3_1 / 2) mod 2) = 1 else ((transform_right_filter_column_3_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_106 else (not
-        (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_107 else (not
-        (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_108 else (not
-        (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_109 else (not
-        (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_110 else (not
-        (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_111 else
-        ((transform_right_filter_column_3_1 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_113 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_choice_113 when
-        ((transform_right_filter_column_3_2 / 2) mod 2) = 1 else ((transform_right_filter_column_3_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_114 else (not
-        (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_115 else (not
-        (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_116 else (not
-        (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_117 else (not
-        (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_118 else (not
-        (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_119 else
-        ((transform_right_filter_column_3_2 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_121 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_choice_121 when
-        ((transform_right_filter_column_3_0 / 2) mod 2) = 1 else ((transform_right_filter_column_3_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_122 else (not
-        (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_123 else (not
-        (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_124 else (not
-        (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_125 else (not
-        (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_126 else (not
-        (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_127 else
-        ((transform_right_filter_column_3_0 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_129 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_choice_129 when
-        ((transform_right_filter_column_2_1 / 2) mod 2) = 1 else ((transform_right_filter_column_2_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_130 else (not
-        (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_131 else (not
-        (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_132 else (not
-        (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_133 else (not
-        (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_134 else (not
-        (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_135 else
-        ((transform_right_filter_column_2_1 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_choice_137 when
-        ((transform_right_filter_column_2_2 / 2) mod 2) = 1 else ((transform_right_filter_column_2_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_138 else (not
-        (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_139 else (not
-        (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_140 else (not
-        (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_141 else (not
-        (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_142 else (not
-        (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_2_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_143 else
-        ((transform_right_filter_column_2_2 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_145 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_choice_145 when
-        ((transform_right_filter_column_2_0 / 2) mod 2) = 1 else ((transform_right_filter_column_2_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_146 else (not
-        (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_147 else (not
-        (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_148 else (not
-        (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_149 else (not
-        (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_150 else (not
-        (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_151 else
-        ((transform_right_filter_column_2_0 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_choice_153 when
-        ((transform_right_filter_column_1_1 / 2) mod 2) = 1 else ((transform_right_filter_column_1_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_154 else (not
-        (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_155 else (not
-        (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_156 else (not
-        (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_157 else (not
-        (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_158 else (not
-        (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_159 else
-        ((transform_right_filter_column_1_1 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161 when
-        ((transform_right_filter_column_1_2 / 2) mod 2) = 1 else ((transform_right_filter_column_1_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_162 else (not
-        (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_163 else (not
-        (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_164 else (not
-        (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_165 else (not
-        (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_166 else (not
-        (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_167 else
-        ((transform_right_filter_column_1_2 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_choice_169 when
-        ((transform_right_filter_column_1_0 / 2) mod 2) = 1 else ((transform_right_filter_column_1_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_170 else (not
-        (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_171 else (not
-        (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_172 else (not
-        (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_173 else (not
-        (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_174 else (not
-        (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_175 else
-        ((transform_right_filter_column_1_0 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_177 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_choice_177 when
-        ((transform_right_filter_column_0_1 / 2) mod 2) = 1 else ((transform_right_filter_column_0_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_178 else (not
-        (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_179 else (not
-        (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_180 else (not
-        (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_181 else (not
-        (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_182 else (not
-        (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_183 else
-        ((transform_right_filter_column_0_1 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_185 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_186 := transform_right_filter_feature_0_choice_185 when
-        ((transform_right_filter_column_0_2 / 2) mod 2) = 1 else ((transform_right_filter_column_0_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_187 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_186 else (not
-        (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_188 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_187 else (not
-        (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_189 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_188 else (not
-        (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_190 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_189 else (not
-        (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_191 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_190 else (not
-        (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_192 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_191 else
-        ((transform_right_filter_column_0_2 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_193 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1) when
-        (transform_right_filter_column_4_1 mod 2) = 1 else (transform_right_filter_column_0_0 mod 4) = 0;
-      transform_right_filter_feature_0_choice_194 := ((transform_right_filter_column_4_1 mod 2) = 1) or (not
-        (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) = 1))
-        when transform_right_filter_feature_0_value else transform_right_filter_feature_0_choice_193;
+      if transform_right_filter_feature_0_choice_6 then
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_7 then
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_8_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_8_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_8_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_9 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9;
+      else
+        transform_right_filter_feature_0_choice_10 := ((transform_right_filter_column_8_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_10 then
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_11 then
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_12 then
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_13 then
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_14 then
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_15 then
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_8_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_8_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_8_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_17 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17;
+      else
+        transform_right_filter_feature_0_choice_18 := ((transform_right_filter_column_8_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_18 then
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_19 then
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_20 then
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_21 then
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_22 then
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_23 then
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_8_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_8_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_7_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_25 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_7_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25;
+      else
+        transform_right_filter_feature_0_choice_26 := ((transform_right_filter_column_7_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_26 then
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_27 then
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_28 then
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_29 then
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_30 then
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_31 then
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_7_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_7_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_7_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_33 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_7_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33;
+      else
+        transform_right_filter_feature_0_choice_34 := ((transform_right_filter_column_7_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_34 then
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_35 then
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_36 then
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_37 then
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_38 then
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_39 then
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_7_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_7_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_7_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_41 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_7_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41;
+      else
+        transform_right_filter_feature_0_choice_42 := ((transform_right_filter_column_7_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_42 then
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_43 then
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_44 then
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_45 then
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_46 then
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_47 then
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_7_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_7_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_6_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_49 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49;
+      else
+        transform_right_filter_feature_0_choice_50 := ((transform_right_filter_column_6_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_50 then
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_51 then
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_52 then
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_53 then
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_54 then
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_55 then
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_6_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_6_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_6_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_57 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57;
+      else
+        transform_right_filter_feature_0_choice_58 := ((transform_right_filter_column_6_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_58 then
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_59 then
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_60 then
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_61 then
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_62 then
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_63 then
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_6_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_6_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_6_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_65 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65;
+      else
+        transform_right_filter_feature_0_choice_66 := ((transform_right_filter_column_6_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_66 then
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_67 then
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_68 then
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_69 then
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_70 then
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_71 then
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_6_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_6_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_73 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_5_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73;
+      else
+        transform_right_filter_feature_0_choice_74 := ((transform_right_filter_column_5_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_74 then
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_75 then
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_76 then
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_77 then
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_78 then
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_79 then
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_5_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_5_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_81 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_5_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81;
+      else
+        transform_right_filter_feature_0_choice_82 := ((transform_right_filter_column_5_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_82 then
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_83 then
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_84 then
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_85 then
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_86 then
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_87 then
+        transform_right_filter_feature_0_choice_88 := ((transform_right_filter_column_5_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_88 := ((transform_right_filter_column_5_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_89 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_5_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_choice_89;
+      else
+        transform_right_filter_feature_0_choice_90 := ((transform_right_filter_column_5_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_90 then
+        transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_91 then
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_92 then
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_93 then
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_94 then
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_95 then
+        transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_5_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_5_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_97 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97;
+      else
+        transform_right_filter_feature_0_choice_98 := ((transform_right_filter_column_4_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_98 then
+        transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_99 then
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_100 then
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_101 then
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_102 then
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_103 then
+        transform_right_filter_feature_0_choice_104 := transform_filtering_0_column_inside_4 and
+          ((transform_right_filter_column_4_2 / 128) = 1) and (not ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_104 := transform_filtering_0_column_inside_4 and
+          (((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_3_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_105 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_choice_105;
+      else
+        transform_right_filter_feature_0_choice_106 := ((transform_right_filter_column_3_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_106 then
+        transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_107 then
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_108 then
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_109 then
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_110 then
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_111 then
+        transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_3_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_113 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_113 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_choice_113;
+      else
+        transform_right_filter_feature_0_choice_114 := ((transform_right_filter_column_3_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_114 then
+        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_115 then
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_116 then
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_117 then
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_118 then
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_119 then
+        transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_3_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_121 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_121 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_choice_121;
+      else
+        transform_right_filter_feature_0_choice_122 := ((transform_right_filter_column_3_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_122 then
+        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_123 then
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_124 then
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_125 then
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_126 then
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_127 then
+        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_3_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_129 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_129 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_choice_129;
+      else
+        transform_right_filter_feature_0_choice_130 := ((transform_right_filter_column_2_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_130 then
+        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_131 then
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_132 then
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_133 then
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_134 then
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_135 then
+        transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_2_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_137 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_choice_137;
+      else
+        transform_right_filter_feature_0_choice_138 := ((transform_right_filter_column_2_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_138 then
+        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_139 then
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_140 then
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_141 then
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_142 then
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_143 then
+        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_2_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_2_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_145 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_145 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_choice_145;
+      else
+        transform_right_filter_feature_0_choice_146 := ((transform_right_filter_column_2_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_146 then
+        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_147 then
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_148 then
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_149 then
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_150 then
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_151 then
+        transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_2_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_153 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_choice_153;
+      else
+        transform_right_filter_feature_0_choice_154 := ((transform_right_filter_column_1_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_154 then
+        transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_155 then
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_156 then
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_157 then
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_158 then
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_159 then
+        transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_1_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_161 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161;
+      else
+        transform_right_filter_feature_0_choice_162 := ((transform_right_filter_column_1_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_162 then
+        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_163 then
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_164 then
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_165 then
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_166 then
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_167 then
+        transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_1_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_169 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_choice_169;
+      else
+        transform_right_filter_feature_0_choice_170 := ((transform_right_filter_column_1_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_170 then
+        transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_171 then
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_172 then
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_173 then
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_174 then
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_175 then
+        transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_1_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_177 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_177 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_choice_177;
+      else
+        transform_right_filter_feature_0_choice_178 := ((transform_right_filter_column_0_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_178 then
+        transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_179 then
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_180 then
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_181 then
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_182 then
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_183 then
+        transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_185 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_185 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_186 := transform_right_filter_feature_0_choice_185;
+      else
+        transform_right_filter_feature_0_choice_186 := ((transform_right_filter_column_0_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_186 then
+        transform_right_filter_feature_0_choice_187 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_187 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_187 then
+        transform_right_filter_feature_0_choice_188 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_188 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_188 then
+        transform_right_filter_feature_0_choice_189 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_189 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_189 then
+        transform_right_filter_feature_0_choice_190 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_190 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_190 then
+        transform_right_filter_feature_0_choice_191 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_191 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_191 then
+        transform_right_filter_feature_0_choice_192 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_192 := ((transform_right_filter_column_0_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_193 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1);
+      else
+        transform_right_filter_feature_0_choice_193 := (transform_right_filter_column_0_0 mod 4) = 0;
+      end if;
+      if transform_right_filter_feature_0_value then
+        transform_right_filter_feature_0_choice_194 := ((transform_right_filter_column_4_1 mod 2) = 1) or (not
+          (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) =
+          1));
+      else
+        transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193;
+      end if;
       transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_195 := (not transform_right_filter_feature_0_value_2) and
-        transform_right_filter_feature_0_value_7 when transform_right_filter_feature_0_choice_194 else (not
-        transform_right_filter_feature_0_value_2) or transform_right_filter_feature_0_value_7;
+      if transform_right_filter_feature_0_choice_194 then
+        transform_right_filter_feature_0_choice_195 := (not transform_right_filter_feature_0_value_2) and
+          transform_right_filter_feature_0_value_7;
+      else
+        transform_right_filter_feature_0_choice_195 := (not transform_right_filter_feature_0_value_2) or
+          transform_right_filter_feature_0_value_7;
+      end if;
       transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_196 := (not transform_right_filter_feature_0_value_3) or
-        transform_right_filter_feature_0_value_8 when transform_right_filter_feature_0_choice_195 else (not
-        transform_right_filter_feature_0_value_3) and transform_right_filter_feature_0_value_8;
+      if transform_right_filter_feature_0_choice_195 then
+        transform_right_filter_feature_0_choice_196 := (not transform_right_filter_feature_0_value_3) or
+          transform_right_filter_feature_0_value_8;
+      else
+        transform_right_filter_feature_0_choice_196 := (not transform_right_filter_feature_0_value_3) and
+          transform_right_filter_feature_0_value_8;
+      end if;
       transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_197 := (not transform_right_filter_feature_0_value_4) or
-        transform_right_filter_feature_0_value_9 when transform_right_filter_feature_0_choice_196 else (not
-        transform_right_filter_feature_0_value_4) and transform_right_filter_feature_0_value_9;
+      if transform_right_filter_feature_0_choice_196 then
+        transform_right_filter_feature_0_choice_197 := (not transform_right_filter_feature_0_value_4) or
+          transform_right_filter_feature_0_value_9;
+      else
+        transform_right_filter_feature_0_choice_197 := (not transform_right_filter_feature_0_value_4) and
+          transform_right_filter_feature_0_value_9;
+      end if;
       transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_198 := (not transform_right_filter_feature_0_value_5) or
-        transform_right_filter_feature_0_value_10 when transform_right_filter_feature_0_choice_197 else (not
-        transform_right_filter_feature_0_value_5) and transform_right_filter_feature_0_value_10;
+      if transform_right_filter_feature_0_choice_197 then
+        transform_right_filter_feature_0_choice_198 := (not transform_right_filter_feature_0_value_5) or
+          transform_right_filter_feature_0_value_10;
+      else
+        transform_right_filter_feature_0_choice_198 := (not transform_right_filter_feature_0_value_5) and
+          transform_right_filter_feature_0_value_10;
+      end if;
       transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_199 := (not transform_right_filter_feature_0_value_6) or
-        transform_right_filter_feature_0_value_11 when transform_right_filter_feature_0_choice_198 else (not
-        transform_right_filter_feature_0_value_6) and transform_right_filter_feature_0_value_11;
-      transform_right_filter_feature_0_choice_200 := (not ((transform_right_filter_column_4_1 / 128) = 1)) or
-        ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_199 else (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
+      if transform_right_filter_feature_0_choice_198 then
+        transform_right_filter_feature_0_choice_199 := (not transform_right_filter_feature_0_value_6) or
+          transform_right_filter_feature_0_value_11;
+      else
+        transform_right_filter_feature_0_choice_199 := (not transform_right_filter_feature_0_value_6) and
+          transform_right_filter_feature_0_value_11;
+      end if;
+      if transform_right_filter_feature_0_choice_199 then
+        transform_right_filter_feature_0_choice_200 := (not ((transform_right_filter_column_4_1 / 128) = 1)) or
+          ((transform_right_filter_column_0_0 / 128) = 1);
+      else
+        transform_right_filter_feature_0_choice_200 := (not ((transform_right_filter_column_4_1 / 128) = 1)) and
+          ((transform_right_filter_column_0_0 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_201 := (as_number(transform_right_filter_feature_0_choice_184) * 2) +
           (as_number(transform_right_filter_feature_0_choice_192) * 4) +
@@ -3334,29 +5143,59 @@ begin
       else
         transform_right_filter_feature_0_choice_204 := transform_right_filter_feature_0_choice_203;
       end if;
-      transform_right_filter_feature_0_choice_205 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_206 := transform_right_filter_feature_0_choice_205 when
-        ((transform_right_filter_column_4_0 / 2) mod 2) = 1 else ((transform_right_filter_column_4_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_207 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_206 else (not
-        (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_208 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_207 else (not
-        (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_209 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_208 else (not
-        (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_210 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_209 else (not
-        (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_211 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_210 else (not
-        (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_212 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_1 / 128) = 1)) when transform_right_filter_feature_0_choice_211 else
-        ((transform_right_filter_column_4_0 / 128) = 1) or (not ((transform_right_filter_column_4_1 / 128) = 1));
+      if (transform_right_filter_column_4_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_205 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_205 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_206 := transform_right_filter_feature_0_choice_205;
+      else
+        transform_right_filter_feature_0_choice_206 := ((transform_right_filter_column_4_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_206 then
+        transform_right_filter_feature_0_choice_207 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_207 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_207 then
+        transform_right_filter_feature_0_choice_208 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_208 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_208 then
+        transform_right_filter_feature_0_choice_209 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_209 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_209 then
+        transform_right_filter_feature_0_choice_210 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_210 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_210 then
+        transform_right_filter_feature_0_choice_211 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_211 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_211 then
+        transform_right_filter_feature_0_choice_212 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_212 := ((transform_right_filter_column_4_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_1 / 128) = 1));
+      end if;
       if transform_filtering_0_column_inside_4 then
         transform_right_filter_feature_0_choice_213 := transform_right_filter_feature_0_choice_204 +
           (as_number(transform_right_filter_feature_0_choice_212) * 4096);
@@ -3391,8 +5230,6 @@ begin
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice when in_valid and in_start_of_frame else
-        transform_counter_group_choice_3;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -3450,15 +5287,6 @@ begin
       transform_columns_column_inside_8 <= transform_ready_column_inside_8;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 8388608) +
-        (as_number(transform_left_filter_feature_0_choice_16) * 16777216) +
-        (as_number(transform_left_filter_feature_0_choice_24) * 33554432) + transform_left_filter_feature_0_choice_216
-        when transform_filtering_0_column_inside_8 else transform_left_filter_feature_0_choice_216;
-      transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 8388608) +
-        (as_number(transform_right_filter_feature_0_choice_16) * 16777216) +
-        (as_number(transform_right_filter_feature_0_choice_24) * 33554432) +
-        transform_right_filter_feature_0_choice_216 when transform_filtering_0_column_inside_8 else
-        transform_right_filter_feature_0_choice_216;
       transform_filtering_0_row_inside_2 <= refinement_passed_8_0;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
@@ -3475,16 +5303,46 @@ begin
       transform_filtering_1_column_inside_4 <= refinement_passed_3_0;
       transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
       transform_filtering_1_valid <= transform_filtering_0_valid;
-      transform_counter_next_frame_choice := (transform_counter_group /= 375) and transform_counter_next_frame when
-        transform_counter_group_is_equal_2 else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when transform_counter_group_differs
-        else transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= transform_counter_group_choice;
+      else
+        transform_counter_group <= transform_counter_group_choice_3;
+      end if;
+      if transform_filtering_0_column_inside_8 then
+        transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 8388608) +
+          (as_number(transform_left_filter_feature_0_choice_16) * 16777216) +
+          (as_number(transform_left_filter_feature_0_choice_24) * 33554432) +
+          transform_left_filter_feature_0_choice_216;
+        transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 8388608) +
+          (as_number(transform_right_filter_feature_0_choice_16) * 16777216) +
+          (as_number(transform_right_filter_feature_0_choice_24) * 33554432) +
+          transform_right_filter_feature_0_choice_216;
+      else
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_216;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_216;
+      end if;
+      if transform_counter_group_is_equal_2 then
+        transform_counter_next_frame_choice := (transform_counter_group /= 375) and transform_counter_next_frame;
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
+      if transform_counter_group_differs then
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
+      else
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when in_start_of_frame or transform_counter_group_is_equal_2 else
-          (transform_counter_column + 1) mod 512;
-        transform_counter_next_frame <= (not in_start_of_frame) or transform_counter_group_all when
-          transform_counter_next_frame_choice_2 else in_start_of_frame and transform_counter_group_is_equal and
-          transform_counter_group_is_equal_2;
+        if in_start_of_frame or transform_counter_group_is_equal_2 then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 512;
+        end if;
+        if transform_counter_next_frame_choice_2 then
+          transform_counter_next_frame <= (not in_start_of_frame) or transform_counter_group_all;
+        else
+          transform_counter_next_frame <= in_start_of_frame and transform_counter_group_is_equal and
+            transform_counter_group_is_equal_2;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_newest_0 * 256) +
@@ -3494,9 +5352,6 @@ begin
         transform_write_column <= transform_ready_column;
       end if;
       if transform_columns_valid then
-        transform_left_filter_column_0_0 <= transform_left_column_0 when transform_columns_row_inside_0 else 0;
-        transform_left_filter_column_0_1 <= transform_left_column_1 when transform_columns_row_inside_1 else 0;
-        transform_left_filter_column_0_2 <= transform_left_column_2 when transform_columns_row_inside_2 else 0;
         transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
         transform_left_filter_column_1_1 <= transform_left_filter_column_0_1;
         transform_left_filter_column_1_2 <= transform_left_filter_column_0_2;
@@ -3521,9 +5376,6 @@ begin
         transform_left_filter_column_8_0 <= transform_left_filter_column_7_0;
         transform_left_filter_column_8_1 <= transform_left_filter_column_7_1;
         transform_left_filter_column_8_2 <= transform_left_filter_column_7_2;
-        transform_right_filter_column_0_0 <= transform_right_column_0 when transform_columns_row_inside_0 else 0;
-        transform_right_filter_column_0_1 <= transform_right_column_1 when transform_columns_row_inside_1 else 0;
-        transform_right_filter_column_0_2 <= transform_right_column_2 when transform_columns_row_inside_2 else 0;
         transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
         transform_right_filter_column_1_1 <= transform_right_filter_column_0_1;
         transform_right_filter_column_1_2 <= transform_right_filter_column_0_2;
@@ -3548,18 +5400,45 @@ begin
         transform_right_filter_column_8_0 <= transform_right_filter_column_7_0;
         transform_right_filter_column_8_1 <= transform_right_filter_column_7_1;
         transform_right_filter_column_8_2 <= transform_right_filter_column_7_2;
+        if transform_columns_row_inside_0 then
+          transform_left_filter_column_0_0 <= transform_left_column_0;
+          transform_right_filter_column_0_0 <= transform_right_column_0;
+        else
+          transform_left_filter_column_0_0 <= 0;
+          transform_right_filter_column_0_0 <= 0;
+        end if;
+        if transform_columns_row_inside_1 then
+          transform_left_filter_column_0_1 <= transform_left_column_1;
+          transform_right_filter_column_0_1 <= transform_right_column_1;
+        else
+          transform_left_filter_column_0_1 <= 0;
+          transform_right_filter_column_0_1 <= 0;
+        end if;
+        if transform_columns_row_inside_2 then
+          transform_left_filter_column_0_2 <= transform_left_column_2;
+          transform_right_filter_column_0_2 <= transform_right_column_2;
+        else
+          transform_left_filter_column_0_2 <= 0;
+          transform_right_filter_column_0_2 <= 0;
+        end if;
       end if;
       -- raster
       raster_place_group_is_equal := raster_place_column = 449;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_1_valid;
-      raster_place_group <= 0 when transform_filtering_1_valid and transform_filtering_1_start_of_frame else
-        (raster_place_group + as_number(((raster_place_group /= 379) and transform_filtering_1_valid and
-        raster_place_group_is_equal))) mod 512;
+      if transform_filtering_1_valid and transform_filtering_1_start_of_frame then
+        raster_place_group <= 0;
+      else
+        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 379) and
+          transform_filtering_1_valid and raster_place_group_is_equal))) mod 512;
+      end if;
       if transform_filtering_1_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_1_start_of_frame else
-          (raster_place_column + 1) mod 512;
+        if raster_place_group_is_equal or transform_filtering_1_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 512;
+        end if;
       end if;
       -- delay
       delay_ahead_0 <= raster_features_reference_0;
@@ -3625,10 +5504,6 @@ begin
       rows_ready_tag_map_column <= rows_read_tag_map_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_newest_0 when rows_ready_inside_1 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_1 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_row_start <= rows_ready_tag_row_start;
       rows_tag_first_group <= rows_ready_tag_first_group;
@@ -3638,6 +5513,20 @@ begin
       rows_tag_map_column <= rows_ready_tag_map_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0;
+        rows_reference_0 <= rows_reference_rows_ready_words_0;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_newest_0;
+        rows_reference_1 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= rows_search_rows_ready_words_1;
         rows_search_rows_write_words_1 <= rows_search_rows_ready_words_2;
@@ -3754,70 +5643,166 @@ begin
       slice0cost_pixels_first_1_0_count_7_value_2 := ((slice0shift_reference_1 / 8388608) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_7_value_3 := ((slice0shift_reference_1 / 4194304) mod 2) = 1;
       slice0cost_pixels_first_1_0_count_8_value := ((slice0shift_reference_1 / 16777216) mod 2) = 1;
-      slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_0(7 downto 0));
-      slice0cost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_0 +
-        slice0cost_column_0_0_choice) mod 256;
-      slice0cost_column_0_1_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_0(15 downto 8));
-      slice0cost_column_0_1_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_1 +
-        slice0cost_column_0_1_choice) mod 256;
-      slice0cost_column_0_2_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_0(23 downto 16));
-      slice0cost_column_0_2_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_2 +
-        slice0cost_column_0_2_choice) mod 256;
-      slice0cost_column_0_3_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_0(31 downto 24));
-      slice0cost_column_0_3_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_3 +
-        slice0cost_column_0_3_choice) mod 256;
-      slice0cost_column_0_4_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_1(7 downto 0));
-      slice0cost_column_0_4_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_4 +
-        slice0cost_column_0_4_choice) mod 256;
-      slice0cost_column_0_5_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_1(15 downto 8));
-      slice0cost_column_0_5_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_5 +
-        slice0cost_column_0_5_choice) mod 256;
-      slice0cost_column_0_6_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_1(23 downto 16));
-      slice0cost_column_0_6_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_6 +
-        slice0cost_column_0_6_choice) mod 256;
-      slice0cost_column_0_7_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_1(31 downto 24));
-      slice0cost_column_0_7_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_7 +
-        slice0cost_column_0_7_choice) mod 256;
-      slice0cost_column_0_8_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_2(7 downto 0));
-      slice0cost_column_0_8_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_8 +
-        slice0cost_column_0_8_choice) mod 256;
-      slice0cost_column_0_9_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_2(15 downto 8));
-      slice0cost_column_0_9_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_9 +
-        slice0cost_column_0_9_choice) mod 256;
-      slice0cost_column_0_10_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_2(23 downto 16));
-      slice0cost_column_0_10_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_10 +
-        slice0cost_column_0_10_choice) mod 256;
-      slice0cost_column_0_11_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_2(31 downto 24));
-      slice0cost_column_0_11_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_11 +
-        slice0cost_column_0_11_choice) mod 256;
-      slice0cost_column_0_12_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_3(7 downto 0));
-      slice0cost_column_0_12_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_12 +
-        slice0cost_column_0_12_choice) mod 256;
-      slice0cost_column_0_13_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_3(15 downto 8));
-      slice0cost_column_0_13_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_13 +
-        slice0cost_column_0_13_choice) mod 256;
-      slice0cost_column_0_14_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_3(23 downto 16));
-      slice0cost_column_0_14_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_14 +
-        slice0cost_column_0_14_choice) mod 256;
-      slice0cost_column_0_15_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_3(31 downto 24));
-      slice0cost_column_0_15_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_15 +
-        slice0cost_column_0_15_choice) mod 256;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_0_choice := 0;
+      else
+        slice0cost_column_0_0_choice := to_integer(slice0cost_ready_words_0(7 downto 0));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_0_choice_2 := 0;
+      else
+        slice0cost_column_0_0_choice_2 := (slice0cost_change_0_0 + slice0cost_column_0_0_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_1_choice := 0;
+      else
+        slice0cost_column_0_1_choice := to_integer(slice0cost_ready_words_0(15 downto 8));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_1_choice_2 := 0;
+      else
+        slice0cost_column_0_1_choice_2 := (slice0cost_change_0_1 + slice0cost_column_0_1_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_2_choice := 0;
+      else
+        slice0cost_column_0_2_choice := to_integer(slice0cost_ready_words_0(23 downto 16));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_2_choice_2 := 0;
+      else
+        slice0cost_column_0_2_choice_2 := (slice0cost_change_0_2 + slice0cost_column_0_2_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_3_choice := 0;
+      else
+        slice0cost_column_0_3_choice := to_integer(slice0cost_ready_words_0(31 downto 24));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_3_choice_2 := 0;
+      else
+        slice0cost_column_0_3_choice_2 := (slice0cost_change_0_3 + slice0cost_column_0_3_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_4_choice := 0;
+      else
+        slice0cost_column_0_4_choice := to_integer(slice0cost_ready_words_1(7 downto 0));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_4_choice_2 := 0;
+      else
+        slice0cost_column_0_4_choice_2 := (slice0cost_change_0_4 + slice0cost_column_0_4_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_5_choice := 0;
+      else
+        slice0cost_column_0_5_choice := to_integer(slice0cost_ready_words_1(15 downto 8));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_5_choice_2 := 0;
+      else
+        slice0cost_column_0_5_choice_2 := (slice0cost_change_0_5 + slice0cost_column_0_5_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_6_choice := 0;
+      else
+        slice0cost_column_0_6_choice := to_integer(slice0cost_ready_words_1(23 downto 16));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_6_choice_2 := 0;
+      else
+        slice0cost_column_0_6_choice_2 := (slice0cost_change_0_6 + slice0cost_column_0_6_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_7_choice := 0;
+      else
+        slice0cost_column_0_7_choice := to_integer(slice0cost_ready_words_1(31 downto 24));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_7_choice_2 := 0;
+      else
+        slice0cost_column_0_7_choice_2 := (slice0cost_change_0_7 + slice0cost_column_0_7_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_8_choice := 0;
+      else
+        slice0cost_column_0_8_choice := to_integer(slice0cost_ready_words_2(7 downto 0));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_8_choice_2 := 0;
+      else
+        slice0cost_column_0_8_choice_2 := (slice0cost_change_0_8 + slice0cost_column_0_8_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_9_choice := 0;
+      else
+        slice0cost_column_0_9_choice := to_integer(slice0cost_ready_words_2(15 downto 8));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_9_choice_2 := 0;
+      else
+        slice0cost_column_0_9_choice_2 := (slice0cost_change_0_9 + slice0cost_column_0_9_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_10_choice := 0;
+      else
+        slice0cost_column_0_10_choice := to_integer(slice0cost_ready_words_2(23 downto 16));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_10_choice_2 := 0;
+      else
+        slice0cost_column_0_10_choice_2 := (slice0cost_change_0_10 + slice0cost_column_0_10_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_11_choice := 0;
+      else
+        slice0cost_column_0_11_choice := to_integer(slice0cost_ready_words_2(31 downto 24));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_11_choice_2 := 0;
+      else
+        slice0cost_column_0_11_choice_2 := (slice0cost_change_0_11 + slice0cost_column_0_11_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_12_choice := 0;
+      else
+        slice0cost_column_0_12_choice := to_integer(slice0cost_ready_words_3(7 downto 0));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_12_choice_2 := 0;
+      else
+        slice0cost_column_0_12_choice_2 := (slice0cost_change_0_12 + slice0cost_column_0_12_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_13_choice := 0;
+      else
+        slice0cost_column_0_13_choice := to_integer(slice0cost_ready_words_3(15 downto 8));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_13_choice_2 := 0;
+      else
+        slice0cost_column_0_13_choice_2 := (slice0cost_change_0_13 + slice0cost_column_0_13_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_14_choice := 0;
+      else
+        slice0cost_column_0_14_choice := to_integer(slice0cost_ready_words_3(23 downto 16));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_14_choice_2 := 0;
+      else
+        slice0cost_column_0_14_choice_2 := (slice0cost_change_0_14 + slice0cost_column_0_14_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_15_choice := 0;
+      else
+        slice0cost_column_0_15_choice := to_integer(slice0cost_ready_words_3(31 downto 24));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_15_choice_2 := 0;
+      else
+        slice0cost_column_0_15_choice_2 := (slice0cost_change_0_15 + slice0cost_column_0_15_choice) mod 256;
+      end if;
       slice0cost_pixels_first_0_0_count_0 <= as_number((((slice0shift_search_0_0 mod 2) = 1) /=
         ((slice0shift_reference_0 mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value /=
         (((slice0shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_count_0_value_2 /=
@@ -5151,11 +7136,18 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
       if slice0shift_tag_valid then
-        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 512;
+        if slice0shift_tag_row_start then
+          slice0cost_read_column <= 0;
+        else
+          slice0cost_read_column <= (slice0cost_read_column + 1) mod 512;
+        end if;
       end if;
       if slice0cost_pixels_first_tag_valid then
-        slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
-          mod 512;
+        if slice0cost_pixels_first_tag_row_start then
+          slice0cost_change_column <= 0;
+        else
+          slice0cost_change_column <= (slice0cost_change_column + 1) mod 512;
+        end if;
       end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_words_0 <= to_unsigned(slice0cost_column_0_3_choice_2, 8) &
@@ -5173,9 +7165,12 @@ begin
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 9 else
-          (slice0window_ring_read_address + 1) mod 16;
         slice0window_ring_write_address <= slice0window_ring_read_address;
+        if slice0window_ring_read_address = 9 then
+          slice0window_ring_read_address <= 0;
+        else
+          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice0window_entering_tag_leaves_window then
         slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(7 downto 0));
@@ -5308,22 +7303,86 @@ begin
       slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_tag_valid <= slice0window_change_tag_valid;
-      slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
-      slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
-      slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
-      slice0window_sum_0_3_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_3;
-      slice0window_sum_0_4_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_4;
-      slice0window_sum_0_5_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_5;
-      slice0window_sum_0_6_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_6;
-      slice0window_sum_0_7_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_7;
-      slice0window_sum_0_8_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_8;
-      slice0window_sum_0_9_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_9;
-      slice0window_sum_0_10_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_10;
-      slice0window_sum_0_11_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_11;
-      slice0window_sum_0_12_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_12;
-      slice0window_sum_0_13_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_13;
-      slice0window_sum_0_14_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_14;
-      slice0window_sum_0_15_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_15;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_0_choice := 0;
+      else
+        slice0window_sum_0_0_choice := slice0window_sum_0_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_1_choice := 0;
+      else
+        slice0window_sum_0_1_choice := slice0window_sum_0_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_2_choice := 0;
+      else
+        slice0window_sum_0_2_choice := slice0window_sum_0_2;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_3_choice := 0;
+      else
+        slice0window_sum_0_3_choice := slice0window_sum_0_3;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_4_choice := 0;
+      else
+        slice0window_sum_0_4_choice := slice0window_sum_0_4;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_5_choice := 0;
+      else
+        slice0window_sum_0_5_choice := slice0window_sum_0_5;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_6_choice := 0;
+      else
+        slice0window_sum_0_6_choice := slice0window_sum_0_6;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_7_choice := 0;
+      else
+        slice0window_sum_0_7_choice := slice0window_sum_0_7;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_8_choice := 0;
+      else
+        slice0window_sum_0_8_choice := slice0window_sum_0_8;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_9_choice := 0;
+      else
+        slice0window_sum_0_9_choice := slice0window_sum_0_9;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_10_choice := 0;
+      else
+        slice0window_sum_0_10_choice := slice0window_sum_0_10;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_11_choice := 0;
+      else
+        slice0window_sum_0_11_choice := slice0window_sum_0_11;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_12_choice := 0;
+      else
+        slice0window_sum_0_12_choice := slice0window_sum_0_12;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_13_choice := 0;
+      else
+        slice0window_sum_0_13_choice := slice0window_sum_0_13;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_14_choice := 0;
+      else
+        slice0window_sum_0_14_choice := slice0window_sum_0_14;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_15_choice := 0;
+      else
+        slice0window_sum_0_15_choice := slice0window_sum_0_15;
+      end if;
       if slice0window_change_tag_valid then
         slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 4096;
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 4096;
@@ -5354,46 +7413,7 @@ begin
       slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
       slice0winner1_best_cost_0_6_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
       slice0winner1_best_cost_0_7_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
-        slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
-        slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
-        slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
-        slice0window_sum_0_14;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
-      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
-      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
-      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
-      slice0winner1_best_below_0_1 <= slice0window_sum_0_2 when slice0winner1_best_cost_0_1_is_less else 0;
-      slice0winner1_best_below_0_2 <= slice0window_sum_0_4 when slice0winner1_best_cost_0_2_is_less else 0;
-      slice0winner1_best_below_0_3 <= slice0window_sum_0_6 when slice0winner1_best_cost_0_3_is_less else 0;
-      slice0winner1_best_below_0_4 <= slice0window_sum_0_8 when slice0winner1_best_cost_0_4_is_less else 0;
-      slice0winner1_best_below_0_5 <= slice0window_sum_0_10 when slice0winner1_best_cost_0_5_is_less else 0;
-      slice0winner1_best_below_0_6 <= slice0window_sum_0_12 when slice0winner1_best_cost_0_6_is_less else 0;
-      slice0winner1_best_below_0_7 <= slice0window_sum_0_14 when slice0winner1_best_cost_0_7_is_less else 0;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
-      slice0winner1_best_above_0_1 <= 0 when slice0winner1_best_cost_0_1_is_less else slice0window_sum_0_3;
-      slice0winner1_best_above_0_2 <= 0 when slice0winner1_best_cost_0_2_is_less else slice0window_sum_0_5;
-      slice0winner1_best_above_0_3 <= 0 when slice0winner1_best_cost_0_3_is_less else slice0window_sum_0_7;
-      slice0winner1_best_above_0_4 <= 0 when slice0winner1_best_cost_0_4_is_less else slice0window_sum_0_9;
-      slice0winner1_best_above_0_5 <= 0 when slice0winner1_best_cost_0_5_is_less else slice0window_sum_0_11;
-      slice0winner1_best_above_0_6 <= 0 when slice0winner1_best_cost_0_6_is_less else slice0window_sum_0_13;
-      slice0winner1_best_above_0_7 <= 0 when slice0winner1_best_cost_0_7_is_less else slice0window_sum_0_15;
       slice0winner1_best_first_0_1 <= slice0window_sum_0_2;
       slice0winner1_best_first_0_2 <= slice0window_sum_0_4;
       slice0winner1_best_first_0_3 <= slice0window_sum_0_6;
@@ -5410,6 +7430,92 @@ begin
       slice0winner1_best_last_0_6 <= slice0window_sum_0_13;
       slice0winner1_best_last_0_7 <= slice0window_sum_0_15;
       slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+      end if;
+      if slice0winner1_best_cost_0_1_is_less then
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_index_0_1 <= 3;
+        slice0winner1_best_below_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_above_0_1 <= 0;
+      else
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_index_0_1 <= 2;
+        slice0winner1_best_below_0_1 <= 0;
+        slice0winner1_best_above_0_1 <= slice0window_sum_0_3;
+      end if;
+      if slice0winner1_best_cost_0_2_is_less then
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_index_0_2 <= 5;
+        slice0winner1_best_below_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_above_0_2 <= 0;
+      else
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_index_0_2 <= 4;
+        slice0winner1_best_below_0_2 <= 0;
+        slice0winner1_best_above_0_2 <= slice0window_sum_0_5;
+      end if;
+      if slice0winner1_best_cost_0_3_is_less then
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+        slice0winner1_best_index_0_3 <= 7;
+        slice0winner1_best_below_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_above_0_3 <= 0;
+      else
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_index_0_3 <= 6;
+        slice0winner1_best_below_0_3 <= 0;
+        slice0winner1_best_above_0_3 <= slice0window_sum_0_7;
+      end if;
+      if slice0winner1_best_cost_0_4_is_less then
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_9;
+        slice0winner1_best_index_0_4 <= 9;
+        slice0winner1_best_below_0_4 <= slice0window_sum_0_8;
+        slice0winner1_best_above_0_4 <= 0;
+      else
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_8;
+        slice0winner1_best_index_0_4 <= 8;
+        slice0winner1_best_below_0_4 <= 0;
+        slice0winner1_best_above_0_4 <= slice0window_sum_0_9;
+      end if;
+      if slice0winner1_best_cost_0_5_is_less then
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_11;
+        slice0winner1_best_index_0_5 <= 11;
+        slice0winner1_best_below_0_5 <= slice0window_sum_0_10;
+        slice0winner1_best_above_0_5 <= 0;
+      else
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_10;
+        slice0winner1_best_index_0_5 <= 10;
+        slice0winner1_best_below_0_5 <= 0;
+        slice0winner1_best_above_0_5 <= slice0window_sum_0_11;
+      end if;
+      if slice0winner1_best_cost_0_6_is_less then
+        slice0winner1_best_cost_0_6 <= slice0window_sum_0_13;
+        slice0winner1_best_index_0_6 <= 13;
+        slice0winner1_best_below_0_6 <= slice0window_sum_0_12;
+        slice0winner1_best_above_0_6 <= 0;
+      else
+        slice0winner1_best_cost_0_6 <= slice0window_sum_0_12;
+        slice0winner1_best_index_0_6 <= 12;
+        slice0winner1_best_below_0_6 <= 0;
+        slice0winner1_best_above_0_6 <= slice0window_sum_0_13;
+      end if;
+      if slice0winner1_best_cost_0_7_is_less then
+        slice0winner1_best_cost_0_7 <= slice0window_sum_0_15;
+        slice0winner1_best_index_0_7 <= 15;
+        slice0winner1_best_below_0_7 <= slice0window_sum_0_14;
+        slice0winner1_best_above_0_7 <= 0;
+      else
+        slice0winner1_best_cost_0_7 <= slice0window_sum_0_14;
+        slice0winner1_best_index_0_7 <= 14;
+        slice0winner1_best_below_0_7 <= 0;
+        slice0winner1_best_above_0_7 <= slice0window_sum_0_15;
+      end if;
       if slice0winner1_tag_valid then
         slice0winner1_tag_map_column <= slice2window_centre_map_column_2;
         slice0winner1_tag_start_of_frame <= slice2window_centre_start_of_frame_2;
@@ -5420,54 +7526,46 @@ begin
       slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
       slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
       slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
-      slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0_0 when slice0winner1_best_index_0_1 = 2 else
-        slice0winner1_best_below_0_1;
-      slice0winner2_best_below_0_1_choice := slice0winner1_best_last_0_2 when slice0winner1_best_index_0_3 = 6 else
-        slice0winner1_best_below_0_3;
-      slice0winner2_best_below_0_2_choice := slice0winner1_best_last_0_4 when ((slice0winner1_best_index_0_5 / 8) = 1)
-        and ((slice0winner1_best_index_0_5 mod 4) = 2) else slice0winner1_best_below_0_5;
-      slice0winner2_best_below_0_3_choice := slice0winner1_best_last_0_6 when slice0winner1_best_index_0_7 = 14 else
-        slice0winner1_best_below_0_7;
-      slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_above_0_1_choice := slice0winner1_best_first_0_3 when other_0 else
-        slice0winner1_best_above_0_2;
-      slice0winner2_best_above_0_2_choice := slice0winner1_best_first_0_5 when other_1 else
-        slice0winner1_best_above_0_4;
-      slice0winner2_best_above_0_3_choice := slice0winner1_best_first_0_7 when other_2 else
-        slice0winner1_best_above_0_6;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_cost_0_6;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
-      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_index_0_4;
-      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_index_0_6;
-      slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_below_0_0;
-      slice0winner2_best_below_0_1 <= slice0winner2_best_below_0_1_choice when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_below_0_2;
-      slice0winner2_best_below_0_2 <= slice0winner2_best_below_0_2_choice when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_below_0_4;
-      slice0winner2_best_below_0_3 <= slice0winner2_best_below_0_3_choice when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_below_0_6;
-      slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner2_best_above_0_0_choice;
-      slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner2_best_above_0_1_choice;
-      slice0winner2_best_above_0_2 <= slice0winner1_best_above_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner2_best_above_0_2_choice;
-      slice0winner2_best_above_0_3 <= slice0winner1_best_above_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner2_best_above_0_3_choice;
+      if slice0winner1_best_index_0_1 = 2 then
+        slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0_0;
+      else
+        slice0winner2_best_below_0_0_choice := slice0winner1_best_below_0_1;
+      end if;
+      if slice0winner1_best_index_0_3 = 6 then
+        slice0winner2_best_below_0_1_choice := slice0winner1_best_last_0_2;
+      else
+        slice0winner2_best_below_0_1_choice := slice0winner1_best_below_0_3;
+      end if;
+      if ((slice0winner1_best_index_0_5 / 8) = 1) and ((slice0winner1_best_index_0_5 mod 4) = 2) then
+        slice0winner2_best_below_0_2_choice := slice0winner1_best_last_0_4;
+      else
+        slice0winner2_best_below_0_2_choice := slice0winner1_best_below_0_5;
+      end if;
+      if slice0winner1_best_index_0_7 = 14 then
+        slice0winner2_best_below_0_3_choice := slice0winner1_best_last_0_6;
+      else
+        slice0winner2_best_below_0_3_choice := slice0winner1_best_below_0_7;
+      end if;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
+      if other_0 then
+        slice0winner2_best_above_0_1_choice := slice0winner1_best_first_0_3;
+      else
+        slice0winner2_best_above_0_1_choice := slice0winner1_best_above_0_2;
+      end if;
+      if other_1 then
+        slice0winner2_best_above_0_2_choice := slice0winner1_best_first_0_5;
+      else
+        slice0winner2_best_above_0_2_choice := slice0winner1_best_above_0_4;
+      end if;
+      if other_2 then
+        slice0winner2_best_above_0_3_choice := slice0winner1_best_first_0_7;
+      else
+        slice0winner2_best_above_0_3_choice := slice0winner1_best_above_0_6;
+      end if;
       slice0winner2_best_first_0_1 <= slice0winner1_best_first_0_2;
       slice0winner2_best_first_0_2 <= slice0winner1_best_first_0_4;
       slice0winner2_best_first_0_3 <= slice0winner1_best_first_0_6;
@@ -5479,33 +7577,73 @@ begin
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice;
+        slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      end if;
+      if slice0winner2_best_cost_0_1_is_less then
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
+        slice0winner2_best_below_0_1 <= slice0winner2_best_below_0_1_choice;
+        slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_3;
+      else
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+        slice0winner2_best_below_0_1 <= slice0winner1_best_below_0_2;
+        slice0winner2_best_above_0_1 <= slice0winner2_best_above_0_1_choice;
+      end if;
+      if slice0winner2_best_cost_0_2_is_less then
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5;
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
+        slice0winner2_best_below_0_2 <= slice0winner2_best_below_0_2_choice;
+        slice0winner2_best_above_0_2 <= slice0winner1_best_above_0_5;
+      else
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
+        slice0winner2_best_below_0_2 <= slice0winner1_best_below_0_4;
+        slice0winner2_best_above_0_2 <= slice0winner2_best_above_0_2_choice;
+      end if;
+      if slice0winner2_best_cost_0_3_is_less then
+        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7;
+        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
+        slice0winner2_best_below_0_3 <= slice0winner2_best_below_0_3_choice;
+        slice0winner2_best_above_0_3 <= slice0winner1_best_above_0_7;
+      else
+        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_6;
+        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
+        slice0winner2_best_below_0_3 <= slice0winner1_best_below_0_6;
+        slice0winner2_best_above_0_3 <= slice0winner2_best_above_0_3_choice;
+      end if;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
       slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
-      slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0 when slice0winner2_best_index_0_1 = 4 else
-        slice0winner2_best_below_0_1;
-      slice0winner3_best_below_0_1_choice := slice0winner2_best_last_0_2 when slice0winner2_best_index_0_3 = 12 else
-        slice0winner2_best_below_0_3;
-      slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1 when slice0winner2_best_index_0_0 = 3 else
-        slice0winner2_best_above_0_0;
-      slice0winner3_best_above_0_1_choice := slice0winner2_best_first_0_3 when ((slice0winner2_best_index_0_2 / 8) = 1)
-        and ((slice0winner2_best_index_0_2 mod 4) = 3) else slice0winner2_best_above_0_2;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_cost_0_2;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_index_0_2;
-      slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_below_0_0;
-      slice0winner3_best_below_0_1 <= slice0winner3_best_below_0_1_choice when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_below_0_2;
-      slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner3_best_above_0_0_choice;
-      slice0winner3_best_above_0_1 <= slice0winner2_best_above_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner3_best_above_0_1_choice;
+      if slice0winner2_best_index_0_1 = 4 then
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0;
+      else
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_below_0_1;
+      end if;
+      if slice0winner2_best_index_0_3 = 12 then
+        slice0winner3_best_below_0_1_choice := slice0winner2_best_last_0_2;
+      else
+        slice0winner3_best_below_0_1_choice := slice0winner2_best_below_0_3;
+      end if;
+      if slice0winner2_best_index_0_0 = 3 then
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1;
+      else
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_above_0_0;
+      end if;
+      if ((slice0winner2_best_index_0_2 / 8) = 1) and ((slice0winner2_best_index_0_2 mod 4) = 3) then
+        slice0winner3_best_above_0_1_choice := slice0winner2_best_first_0_3;
+      else
+        slice0winner3_best_above_0_1_choice := slice0winner2_best_above_0_2;
+      end if;
       slice0winner3_best_first_0_1 <= slice0winner2_best_first_0_2;
       slice0winner3_best_last_0_0 <= slice0winner2_best_last_0_1;
       slice0winner3_best_last_0_1 <= slice0winner2_best_last_0_3;
@@ -5513,25 +7651,56 @@ begin
       slice0winner3_tag_map_column <= slice0winner2_tag_map_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      if slice0winner3_best_cost_0_0_is_less then
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+        slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice;
+        slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+        slice0winner3_best_below_0_0 <= slice0winner2_best_below_0_0;
+        slice0winner3_best_above_0_0 <= slice0winner3_best_above_0_0_choice;
+      end if;
+      if slice0winner3_best_cost_0_1_is_less then
+        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3;
+        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
+        slice0winner3_best_below_0_1 <= slice0winner3_best_below_0_1_choice;
+        slice0winner3_best_above_0_1 <= slice0winner2_best_above_0_3;
+      else
+        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
+        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
+        slice0winner3_best_below_0_1 <= slice0winner2_best_below_0_2;
+        slice0winner3_best_above_0_1 <= slice0winner3_best_above_0_1_choice;
+      end if;
       -- slice0winner4
       slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
-      slice0winner4_best_below_0_0_choice := slice0winner3_best_last_0_0 when slice0winner3_best_index_0_1 = 8 else
-        slice0winner3_best_below_0_1;
-      slice0winner4_best_above_0_0_choice := slice0winner3_best_first_0_1 when slice0winner3_best_index_0_0 = 7 else
-        slice0winner3_best_above_0_0;
-      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_cost_0_0;
-      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_index_0_0;
-      slice0winner4_best_below_0_0 <= slice0winner4_best_below_0_0_choice when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_below_0_0;
-      slice0winner4_best_above_0_0 <= slice0winner3_best_above_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner4_best_above_0_0_choice;
+      if slice0winner3_best_index_0_1 = 8 then
+        slice0winner4_best_below_0_0_choice := slice0winner3_best_last_0_0;
+      else
+        slice0winner4_best_below_0_0_choice := slice0winner3_best_below_0_1;
+      end if;
+      if slice0winner3_best_index_0_0 = 7 then
+        slice0winner4_best_above_0_0_choice := slice0winner3_best_first_0_1;
+      else
+        slice0winner4_best_above_0_0_choice := slice0winner3_best_above_0_0;
+      end if;
       slice0winner4_best_last_0_0 <= slice0winner3_best_last_0_1;
       slice0winner4_tag_valid <= slice0winner3_tag_valid;
       slice0winner4_tag_map_column <= slice0winner3_tag_map_column;
       slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
       slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      if slice0winner4_best_cost_0_0_is_less then
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
+        slice0winner4_best_below_0_0 <= slice0winner4_best_below_0_0_choice;
+        slice0winner4_best_above_0_0 <= slice0winner3_best_above_0_1;
+      else
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
+        slice0winner4_best_below_0_0 <= slice0winner3_best_below_0_0;
+        slice0winner4_best_above_0_0 <= slice0winner4_best_above_0_0_choice;
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner4_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner4_best_index_0_0;
@@ -5628,70 +7797,166 @@ begin
       slice1cost_pixels_first_1_0_count_7_value_2 := ((slice1shift_reference_1 / 8388608) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_7_value_3 := ((slice1shift_reference_1 / 4194304) mod 2) = 1;
       slice1cost_pixels_first_1_0_count_8_value := ((slice1shift_reference_1 / 16777216) mod 2) = 1;
-      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_0(7
-        downto 0));
-      slice1cost_column_0_0_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_0 +
-        slice1cost_column_0_0_choice) mod 256;
-      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_0(15
-        downto 8));
-      slice1cost_column_0_1_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_1 +
-        slice1cost_column_0_1_choice) mod 256;
-      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_0(23
-        downto 16));
-      slice1cost_column_0_2_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_2 +
-        slice1cost_column_0_2_choice) mod 256;
-      slice1cost_column_0_3_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_0(31
-        downto 24));
-      slice1cost_column_0_3_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_3 +
-        slice1cost_column_0_3_choice) mod 256;
-      slice1cost_column_0_4_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_1(7
-        downto 0));
-      slice1cost_column_0_4_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_4 +
-        slice1cost_column_0_4_choice) mod 256;
-      slice1cost_column_0_5_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_1(15
-        downto 8));
-      slice1cost_column_0_5_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_5 +
-        slice1cost_column_0_5_choice) mod 256;
-      slice1cost_column_0_6_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_1(23
-        downto 16));
-      slice1cost_column_0_6_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_6 +
-        slice1cost_column_0_6_choice) mod 256;
-      slice1cost_column_0_7_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_1(31
-        downto 24));
-      slice1cost_column_0_7_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_7 +
-        slice1cost_column_0_7_choice) mod 256;
-      slice1cost_column_0_8_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_2(7
-        downto 0));
-      slice1cost_column_0_8_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_8 +
-        slice1cost_column_0_8_choice) mod 256;
-      slice1cost_column_0_9_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_2(15
-        downto 8));
-      slice1cost_column_0_9_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_9 +
-        slice1cost_column_0_9_choice) mod 256;
-      slice1cost_column_0_10_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_2(23
-        downto 16));
-      slice1cost_column_0_10_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_10 +
-        slice1cost_column_0_10_choice) mod 256;
-      slice1cost_column_0_11_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_2(31
-        downto 24));
-      slice1cost_column_0_11_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_11 +
-        slice1cost_column_0_11_choice) mod 256;
-      slice1cost_column_0_12_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_3(7
-        downto 0));
-      slice1cost_column_0_12_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_12 +
-        slice1cost_column_0_12_choice) mod 256;
-      slice1cost_column_0_13_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_3(15
-        downto 8));
-      slice1cost_column_0_13_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_13 +
-        slice1cost_column_0_13_choice) mod 256;
-      slice1cost_column_0_14_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_3(23
-        downto 16));
-      slice1cost_column_0_14_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_14 +
-        slice1cost_column_0_14_choice) mod 256;
-      slice1cost_column_0_15_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_3(31
-        downto 24));
-      slice1cost_column_0_15_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_15 +
-        slice1cost_column_0_15_choice) mod 256;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_0_choice := 0;
+      else
+        slice1cost_column_0_0_choice := to_integer(slice1cost_ready_words_0(7 downto 0));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0_choice_2 := 0;
+      else
+        slice1cost_column_0_0_choice_2 := (slice1cost_change_0_0 + slice1cost_column_0_0_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_1_choice := 0;
+      else
+        slice1cost_column_0_1_choice := to_integer(slice1cost_ready_words_0(15 downto 8));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_1_choice_2 := 0;
+      else
+        slice1cost_column_0_1_choice_2 := (slice1cost_change_0_1 + slice1cost_column_0_1_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_2_choice := 0;
+      else
+        slice1cost_column_0_2_choice := to_integer(slice1cost_ready_words_0(23 downto 16));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_2_choice_2 := 0;
+      else
+        slice1cost_column_0_2_choice_2 := (slice1cost_change_0_2 + slice1cost_column_0_2_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_3_choice := 0;
+      else
+        slice1cost_column_0_3_choice := to_integer(slice1cost_ready_words_0(31 downto 24));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_3_choice_2 := 0;
+      else
+        slice1cost_column_0_3_choice_2 := (slice1cost_change_0_3 + slice1cost_column_0_3_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_4_choice := 0;
+      else
+        slice1cost_column_0_4_choice := to_integer(slice1cost_ready_words_1(7 downto 0));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_4_choice_2 := 0;
+      else
+        slice1cost_column_0_4_choice_2 := (slice1cost_change_0_4 + slice1cost_column_0_4_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_5_choice := 0;
+      else
+        slice1cost_column_0_5_choice := to_integer(slice1cost_ready_words_1(15 downto 8));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_5_choice_2 := 0;
+      else
+        slice1cost_column_0_5_choice_2 := (slice1cost_change_0_5 + slice1cost_column_0_5_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_6_choice := 0;
+      else
+        slice1cost_column_0_6_choice := to_integer(slice1cost_ready_words_1(23 downto 16));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_6_choice_2 := 0;
+      else
+        slice1cost_column_0_6_choice_2 := (slice1cost_change_0_6 + slice1cost_column_0_6_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_7_choice := 0;
+      else
+        slice1cost_column_0_7_choice := to_integer(slice1cost_ready_words_1(31 downto 24));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_7_choice_2 := 0;
+      else
+        slice1cost_column_0_7_choice_2 := (slice1cost_change_0_7 + slice1cost_column_0_7_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_8_choice := 0;
+      else
+        slice1cost_column_0_8_choice := to_integer(slice1cost_ready_words_2(7 downto 0));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_8_choice_2 := 0;
+      else
+        slice1cost_column_0_8_choice_2 := (slice1cost_change_0_8 + slice1cost_column_0_8_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_9_choice := 0;
+      else
+        slice1cost_column_0_9_choice := to_integer(slice1cost_ready_words_2(15 downto 8));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_9_choice_2 := 0;
+      else
+        slice1cost_column_0_9_choice_2 := (slice1cost_change_0_9 + slice1cost_column_0_9_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_10_choice := 0;
+      else
+        slice1cost_column_0_10_choice := to_integer(slice1cost_ready_words_2(23 downto 16));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_10_choice_2 := 0;
+      else
+        slice1cost_column_0_10_choice_2 := (slice1cost_change_0_10 + slice1cost_column_0_10_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_11_choice := 0;
+      else
+        slice1cost_column_0_11_choice := to_integer(slice1cost_ready_words_2(31 downto 24));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_11_choice_2 := 0;
+      else
+        slice1cost_column_0_11_choice_2 := (slice1cost_change_0_11 + slice1cost_column_0_11_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_12_choice := 0;
+      else
+        slice1cost_column_0_12_choice := to_integer(slice1cost_ready_words_3(7 downto 0));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_12_choice_2 := 0;
+      else
+        slice1cost_column_0_12_choice_2 := (slice1cost_change_0_12 + slice1cost_column_0_12_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_13_choice := 0;
+      else
+        slice1cost_column_0_13_choice := to_integer(slice1cost_ready_words_3(15 downto 8));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_13_choice_2 := 0;
+      else
+        slice1cost_column_0_13_choice_2 := (slice1cost_change_0_13 + slice1cost_column_0_13_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_14_choice := 0;
+      else
+        slice1cost_column_0_14_choice := to_integer(slice1cost_ready_words_3(23 downto 16));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_14_choice_2 := 0;
+      else
+        slice1cost_column_0_14_choice_2 := (slice1cost_change_0_14 + slice1cost_column_0_14_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_15_choice := 0;
+      else
+        slice1cost_column_0_15_choice := to_integer(slice1cost_ready_words_3(31 downto 24));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_15_choice_2 := 0;
+      else
+        slice1cost_column_0_15_choice_2 := (slice1cost_change_0_15 + slice1cost_column_0_15_choice) mod 256;
+      end if;
       slice1cost_pixels_first_0_0_count_0 <= as_number((((slice1shift_search_0_0 mod 2) = 1) /=
         ((slice1shift_reference_0 mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value /=
         (((slice1shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_count_0_value_2 /=
@@ -7010,9 +9275,12 @@ begin
       end if;
       -- slice1window
       if slice0window_entering_tag_valid then
-        slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 9 else
-          (slice1window_ring_read_address + 1) mod 16;
         slice1window_ring_write_address <= slice1window_ring_read_address;
+        if slice1window_ring_read_address = 9 then
+          slice1window_ring_read_address <= 0;
+        else
+          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice0window_change_tag_leaves_window then
         slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(7 downto 0));
@@ -7130,22 +9398,86 @@ begin
       slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
       slice1window_centre_map_column_0 <= slice0window_centre_map_column_0;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
-      slice1window_sum_0_0_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_0;
-      slice1window_sum_0_1_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_1;
-      slice1window_sum_0_2_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_2;
-      slice1window_sum_0_3_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_3;
-      slice1window_sum_0_4_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_4;
-      slice1window_sum_0_5_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_5;
-      slice1window_sum_0_6_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_6;
-      slice1window_sum_0_7_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_7;
-      slice1window_sum_0_8_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_8;
-      slice1window_sum_0_9_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_9;
-      slice1window_sum_0_10_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_10;
-      slice1window_sum_0_11_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_11;
-      slice1window_sum_0_12_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_12;
-      slice1window_sum_0_13_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_13;
-      slice1window_sum_0_14_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_14;
-      slice1window_sum_0_15_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_15;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_0_choice := 0;
+      else
+        slice1window_sum_0_0_choice := slice1window_sum_0_0;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_1_choice := 0;
+      else
+        slice1window_sum_0_1_choice := slice1window_sum_0_1;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_2_choice := 0;
+      else
+        slice1window_sum_0_2_choice := slice1window_sum_0_2;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_3_choice := 0;
+      else
+        slice1window_sum_0_3_choice := slice1window_sum_0_3;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_4_choice := 0;
+      else
+        slice1window_sum_0_4_choice := slice1window_sum_0_4;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_5_choice := 0;
+      else
+        slice1window_sum_0_5_choice := slice1window_sum_0_5;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_6_choice := 0;
+      else
+        slice1window_sum_0_6_choice := slice1window_sum_0_6;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_7_choice := 0;
+      else
+        slice1window_sum_0_7_choice := slice1window_sum_0_7;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_8_choice := 0;
+      else
+        slice1window_sum_0_8_choice := slice1window_sum_0_8;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_9_choice := 0;
+      else
+        slice1window_sum_0_9_choice := slice1window_sum_0_9;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_10_choice := 0;
+      else
+        slice1window_sum_0_10_choice := slice1window_sum_0_10;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_11_choice := 0;
+      else
+        slice1window_sum_0_11_choice := slice1window_sum_0_11;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_12_choice := 0;
+      else
+        slice1window_sum_0_12_choice := slice1window_sum_0_12;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_13_choice := 0;
+      else
+        slice1window_sum_0_13_choice := slice1window_sum_0_13;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_14_choice := 0;
+      else
+        slice1window_sum_0_14_choice := slice1window_sum_0_14;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_15_choice := 0;
+      else
+        slice1window_sum_0_15_choice := slice1window_sum_0_15;
+      end if;
       if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 4096;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 4096;
@@ -7176,46 +9508,7 @@ begin
       slice1winner1_best_cost_0_5_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
       slice1winner1_best_cost_0_6_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
       slice1winner1_best_cost_0_7_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
-        slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
-        slice1window_sum_0_10;
-      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
-        slice1window_sum_0_12;
-      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
-        slice1window_sum_0_14;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
-      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
-      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
-      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
-      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
-      slice1winner1_best_below_0_1 <= slice1window_sum_0_2 when slice1winner1_best_cost_0_1_is_less else 0;
-      slice1winner1_best_below_0_2 <= slice1window_sum_0_4 when slice1winner1_best_cost_0_2_is_less else 0;
-      slice1winner1_best_below_0_3 <= slice1window_sum_0_6 when slice1winner1_best_cost_0_3_is_less else 0;
-      slice1winner1_best_below_0_4 <= slice1window_sum_0_8 when slice1winner1_best_cost_0_4_is_less else 0;
-      slice1winner1_best_below_0_5 <= slice1window_sum_0_10 when slice1winner1_best_cost_0_5_is_less else 0;
-      slice1winner1_best_below_0_6 <= slice1window_sum_0_12 when slice1winner1_best_cost_0_6_is_less else 0;
-      slice1winner1_best_below_0_7 <= slice1window_sum_0_14 when slice1winner1_best_cost_0_7_is_less else 0;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
-      slice1winner1_best_above_0_1 <= 0 when slice1winner1_best_cost_0_1_is_less else slice1window_sum_0_3;
-      slice1winner1_best_above_0_2 <= 0 when slice1winner1_best_cost_0_2_is_less else slice1window_sum_0_5;
-      slice1winner1_best_above_0_3 <= 0 when slice1winner1_best_cost_0_3_is_less else slice1window_sum_0_7;
-      slice1winner1_best_above_0_4 <= 0 when slice1winner1_best_cost_0_4_is_less else slice1window_sum_0_9;
-      slice1winner1_best_above_0_5 <= 0 when slice1winner1_best_cost_0_5_is_less else slice1window_sum_0_11;
-      slice1winner1_best_above_0_6 <= 0 when slice1winner1_best_cost_0_6_is_less else slice1window_sum_0_13;
-      slice1winner1_best_above_0_7 <= 0 when slice1winner1_best_cost_0_7_is_less else slice1window_sum_0_15;
       slice1winner1_best_first_0_0 <= slice1window_sum_0_0;
       slice1winner1_best_first_0_1 <= slice1window_sum_0_2;
       slice1winner1_best_first_0_2 <= slice1window_sum_0_4;
@@ -7232,59 +9525,137 @@ begin
       slice1winner1_best_last_0_5 <= slice1window_sum_0_11;
       slice1winner1_best_last_0_6 <= slice1window_sum_0_13;
       slice1winner1_best_last_0_7 <= slice1window_sum_0_15;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+      end if;
+      if slice1winner1_best_cost_0_1_is_less then
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+        slice1winner1_best_index_0_1 <= 3;
+        slice1winner1_best_below_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_above_0_1 <= 0;
+      else
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_index_0_1 <= 2;
+        slice1winner1_best_below_0_1 <= 0;
+        slice1winner1_best_above_0_1 <= slice1window_sum_0_3;
+      end if;
+      if slice1winner1_best_cost_0_2_is_less then
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+        slice1winner1_best_index_0_2 <= 5;
+        slice1winner1_best_below_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_above_0_2 <= 0;
+      else
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_index_0_2 <= 4;
+        slice1winner1_best_below_0_2 <= 0;
+        slice1winner1_best_above_0_2 <= slice1window_sum_0_5;
+      end if;
+      if slice1winner1_best_cost_0_3_is_less then
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_7;
+        slice1winner1_best_index_0_3 <= 7;
+        slice1winner1_best_below_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_above_0_3 <= 0;
+      else
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_index_0_3 <= 6;
+        slice1winner1_best_below_0_3 <= 0;
+        slice1winner1_best_above_0_3 <= slice1window_sum_0_7;
+      end if;
+      if slice1winner1_best_cost_0_4_is_less then
+        slice1winner1_best_cost_0_4 <= slice1window_sum_0_9;
+        slice1winner1_best_index_0_4 <= 9;
+        slice1winner1_best_below_0_4 <= slice1window_sum_0_8;
+        slice1winner1_best_above_0_4 <= 0;
+      else
+        slice1winner1_best_cost_0_4 <= slice1window_sum_0_8;
+        slice1winner1_best_index_0_4 <= 8;
+        slice1winner1_best_below_0_4 <= 0;
+        slice1winner1_best_above_0_4 <= slice1window_sum_0_9;
+      end if;
+      if slice1winner1_best_cost_0_5_is_less then
+        slice1winner1_best_cost_0_5 <= slice1window_sum_0_11;
+        slice1winner1_best_index_0_5 <= 11;
+        slice1winner1_best_below_0_5 <= slice1window_sum_0_10;
+        slice1winner1_best_above_0_5 <= 0;
+      else
+        slice1winner1_best_cost_0_5 <= slice1window_sum_0_10;
+        slice1winner1_best_index_0_5 <= 10;
+        slice1winner1_best_below_0_5 <= 0;
+        slice1winner1_best_above_0_5 <= slice1window_sum_0_11;
+      end if;
+      if slice1winner1_best_cost_0_6_is_less then
+        slice1winner1_best_cost_0_6 <= slice1window_sum_0_13;
+        slice1winner1_best_index_0_6 <= 13;
+        slice1winner1_best_below_0_6 <= slice1window_sum_0_12;
+        slice1winner1_best_above_0_6 <= 0;
+      else
+        slice1winner1_best_cost_0_6 <= slice1window_sum_0_12;
+        slice1winner1_best_index_0_6 <= 12;
+        slice1winner1_best_below_0_6 <= 0;
+        slice1winner1_best_above_0_6 <= slice1window_sum_0_13;
+      end if;
+      if slice1winner1_best_cost_0_7_is_less then
+        slice1winner1_best_cost_0_7 <= slice1window_sum_0_15;
+        slice1winner1_best_index_0_7 <= 15;
+        slice1winner1_best_below_0_7 <= slice1window_sum_0_14;
+        slice1winner1_best_above_0_7 <= 0;
+      else
+        slice1winner1_best_cost_0_7 <= slice1window_sum_0_14;
+        slice1winner1_best_index_0_7 <= 14;
+        slice1winner1_best_below_0_7 <= 0;
+        slice1winner1_best_above_0_7 <= slice1window_sum_0_15;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
       slice1winner2_best_cost_0_2_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
       slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
-      slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0 when slice1winner1_best_index_0_1 = 2 else
-        slice1winner1_best_below_0_1;
-      slice1winner2_best_below_0_1_choice := slice1winner1_best_last_0_2 when slice1winner1_best_index_0_3 = 6 else
-        slice1winner1_best_below_0_3;
-      slice1winner2_best_below_0_2_choice := slice1winner1_best_last_0_4 when ((slice1winner1_best_index_0_5 / 8) = 1)
-        and ((slice1winner1_best_index_0_5 mod 4) = 2) else slice1winner1_best_below_0_5;
-      slice1winner2_best_below_0_3_choice := slice1winner1_best_last_0_6 when slice1winner1_best_index_0_7 = 14 else
-        slice1winner1_best_below_0_7;
-      slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_above_0_1_choice := slice1winner1_best_first_0_3 when other_6 else
-        slice1winner1_best_above_0_2;
-      slice1winner2_best_above_0_2_choice := slice1winner1_best_first_0_5 when other_7 else
-        slice1winner1_best_above_0_4;
-      slice1winner2_best_above_0_3_choice := slice1winner1_best_first_0_7 when other_8 else
-        slice1winner1_best_above_0_6;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_cost_0_4;
-      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_cost_0_6;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_index_0_2;
-      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_index_0_4;
-      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_index_0_6;
-      slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_below_0_0;
-      slice1winner2_best_below_0_1 <= slice1winner2_best_below_0_1_choice when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_below_0_2;
-      slice1winner2_best_below_0_2 <= slice1winner2_best_below_0_2_choice when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_below_0_4;
-      slice1winner2_best_below_0_3 <= slice1winner2_best_below_0_3_choice when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_below_0_6;
-      slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner2_best_above_0_0_choice;
-      slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner2_best_above_0_1_choice;
-      slice1winner2_best_above_0_2 <= slice1winner1_best_above_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner2_best_above_0_2_choice;
-      slice1winner2_best_above_0_3 <= slice1winner1_best_above_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner2_best_above_0_3_choice;
+      if slice1winner1_best_index_0_1 = 2 then
+        slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0;
+      else
+        slice1winner2_best_below_0_0_choice := slice1winner1_best_below_0_1;
+      end if;
+      if slice1winner1_best_index_0_3 = 6 then
+        slice1winner2_best_below_0_1_choice := slice1winner1_best_last_0_2;
+      else
+        slice1winner2_best_below_0_1_choice := slice1winner1_best_below_0_3;
+      end if;
+      if ((slice1winner1_best_index_0_5 / 8) = 1) and ((slice1winner1_best_index_0_5 mod 4) = 2) then
+        slice1winner2_best_below_0_2_choice := slice1winner1_best_last_0_4;
+      else
+        slice1winner2_best_below_0_2_choice := slice1winner1_best_below_0_5;
+      end if;
+      if slice1winner1_best_index_0_7 = 14 then
+        slice1winner2_best_below_0_3_choice := slice1winner1_best_last_0_6;
+      else
+        slice1winner2_best_below_0_3_choice := slice1winner1_best_below_0_7;
+      end if;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
+      if other_6 then
+        slice1winner2_best_above_0_1_choice := slice1winner1_best_first_0_3;
+      else
+        slice1winner2_best_above_0_1_choice := slice1winner1_best_above_0_2;
+      end if;
+      if other_7 then
+        slice1winner2_best_above_0_2_choice := slice1winner1_best_first_0_5;
+      else
+        slice1winner2_best_above_0_2_choice := slice1winner1_best_above_0_4;
+      end if;
+      if other_8 then
+        slice1winner2_best_above_0_3_choice := slice1winner1_best_first_0_7;
+      else
+        slice1winner2_best_above_0_3_choice := slice1winner1_best_above_0_6;
+      end if;
       slice1winner2_best_first_0_0 <= slice1winner1_best_first_0_0;
       slice1winner2_best_first_0_1 <= slice1winner1_best_first_0_2;
       slice1winner2_best_first_0_2 <= slice1winner1_best_first_0_4;
@@ -7293,71 +9664,152 @@ begin
       slice1winner2_best_last_0_1 <= slice1winner1_best_last_0_3;
       slice1winner2_best_last_0_2 <= slice1winner1_best_last_0_5;
       slice1winner2_best_last_0_3 <= slice1winner1_best_last_0_7;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice;
+        slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      end if;
+      if slice1winner2_best_cost_0_1_is_less then
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
+        slice1winner2_best_below_0_1 <= slice1winner2_best_below_0_1_choice;
+        slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_3;
+      else
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+        slice1winner2_best_below_0_1 <= slice1winner1_best_below_0_2;
+        slice1winner2_best_above_0_1 <= slice1winner2_best_above_0_1_choice;
+      end if;
+      if slice1winner2_best_cost_0_2_is_less then
+        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5;
+        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
+        slice1winner2_best_below_0_2 <= slice1winner2_best_below_0_2_choice;
+        slice1winner2_best_above_0_2 <= slice1winner1_best_above_0_5;
+      else
+        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_4;
+        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
+        slice1winner2_best_below_0_2 <= slice1winner1_best_below_0_4;
+        slice1winner2_best_above_0_2 <= slice1winner2_best_above_0_2_choice;
+      end if;
+      if slice1winner2_best_cost_0_3_is_less then
+        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7;
+        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
+        slice1winner2_best_below_0_3 <= slice1winner2_best_below_0_3_choice;
+        slice1winner2_best_above_0_3 <= slice1winner1_best_above_0_7;
+      else
+        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_6;
+        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
+        slice1winner2_best_below_0_3 <= slice1winner1_best_below_0_6;
+        slice1winner2_best_above_0_3 <= slice1winner2_best_above_0_3_choice;
+      end if;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
       slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
-      slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0 when slice1winner2_best_index_0_1 = 4 else
-        slice1winner2_best_below_0_1;
-      slice1winner3_best_below_0_1_choice := slice1winner2_best_last_0_2 when slice1winner2_best_index_0_3 = 12 else
-        slice1winner2_best_below_0_3;
-      slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1 when slice1winner2_best_index_0_0 = 3 else
-        slice1winner2_best_above_0_0;
-      slice1winner3_best_above_0_1_choice := slice1winner2_best_first_0_3 when ((slice1winner2_best_index_0_2 / 8) = 1)
-        and ((slice1winner2_best_index_0_2 mod 4) = 3) else slice1winner2_best_above_0_2;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_cost_0_2;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
-      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_index_0_2;
-      slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_below_0_0;
-      slice1winner3_best_below_0_1 <= slice1winner3_best_below_0_1_choice when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_below_0_2;
-      slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner3_best_above_0_0_choice;
-      slice1winner3_best_above_0_1 <= slice1winner2_best_above_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner3_best_above_0_1_choice;
+      if slice1winner2_best_index_0_1 = 4 then
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0;
+      else
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_below_0_1;
+      end if;
+      if slice1winner2_best_index_0_3 = 12 then
+        slice1winner3_best_below_0_1_choice := slice1winner2_best_last_0_2;
+      else
+        slice1winner3_best_below_0_1_choice := slice1winner2_best_below_0_3;
+      end if;
+      if slice1winner2_best_index_0_0 = 3 then
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1;
+      else
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_above_0_0;
+      end if;
+      if ((slice1winner2_best_index_0_2 / 8) = 1) and ((slice1winner2_best_index_0_2 mod 4) = 3) then
+        slice1winner3_best_above_0_1_choice := slice1winner2_best_first_0_3;
+      else
+        slice1winner3_best_above_0_1_choice := slice1winner2_best_above_0_2;
+      end if;
       slice1winner3_best_first_0_0 <= slice1winner2_best_first_0_0;
       slice1winner3_best_first_0_1 <= slice1winner2_best_first_0_2;
       slice1winner3_best_last_0_0 <= slice1winner2_best_last_0_1;
       slice1winner3_best_last_0_1 <= slice1winner2_best_last_0_3;
+      if slice1winner3_best_cost_0_0_is_less then
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
+        slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice;
+        slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1;
+      else
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
+        slice1winner3_best_below_0_0 <= slice1winner2_best_below_0_0;
+        slice1winner3_best_above_0_0 <= slice1winner3_best_above_0_0_choice;
+      end if;
+      if slice1winner3_best_cost_0_1_is_less then
+        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3;
+        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
+        slice1winner3_best_below_0_1 <= slice1winner3_best_below_0_1_choice;
+        slice1winner3_best_above_0_1 <= slice1winner2_best_above_0_3;
+      else
+        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_2;
+        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
+        slice1winner3_best_below_0_1 <= slice1winner2_best_below_0_2;
+        slice1winner3_best_above_0_1 <= slice1winner3_best_above_0_1_choice;
+      end if;
       -- slice1winner4
       slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
-      slice1winner4_best_below_0_0_choice := slice1winner3_best_last_0_0 when slice1winner3_best_index_0_1 = 8 else
-        slice1winner3_best_below_0_1;
-      slice1winner4_best_above_0_0_choice := slice1winner3_best_first_0_1 when slice1winner3_best_index_0_0 = 7 else
-        slice1winner3_best_above_0_0;
-      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_cost_0_0;
-      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_index_0_0;
-      slice1winner4_best_below_0_0 <= slice1winner4_best_below_0_0_choice when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_below_0_0;
-      slice1winner4_best_above_0_0 <= slice1winner3_best_above_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner4_best_above_0_0_choice;
+      if slice1winner3_best_index_0_1 = 8 then
+        slice1winner4_best_below_0_0_choice := slice1winner3_best_last_0_0;
+      else
+        slice1winner4_best_below_0_0_choice := slice1winner3_best_below_0_1;
+      end if;
+      if slice1winner3_best_index_0_0 = 7 then
+        slice1winner4_best_above_0_0_choice := slice1winner3_best_first_0_1;
+      else
+        slice1winner4_best_above_0_0_choice := slice1winner3_best_above_0_0;
+      end if;
       slice1winner4_best_first_0_0 <= slice1winner3_best_first_0_0;
       slice1winner4_best_last_0_0 <= slice1winner3_best_last_0_1;
+      if slice1winner4_best_cost_0_0_is_less then
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1;
+        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
+        slice1winner4_best_below_0_0 <= slice1winner4_best_below_0_0_choice;
+        slice1winner4_best_above_0_0 <= slice1winner3_best_above_0_1;
+      else
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
+        slice1winner4_best_below_0_0 <= slice1winner3_best_below_0_0;
+        slice1winner4_best_above_0_0 <= slice1winner4_best_above_0_0_choice;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice1winner4_best_cost_0_0 - slice0_best_cost_0_0) < 0;
-      slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1winner4_best_index_0_0 = 0 else
-        slice1winner4_best_below_0_0;
-      slice1_best_above_0_0_choice := slice1winner4_best_first_0_0 when slice0_best_index_0_0 = 15 else
-        slice0_best_above_0_0;
-      slice1_best_cost_0_0 <= slice1winner4_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice0_best_cost_0_0;
-      slice1_best_index_0_0 <= slice1winner4_best_index_0_0 + 16 when slice1_best_cost_0_0_is_less else
-        slice0_best_index_0_0;
-      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
-        slice0_best_below_0_0;
-      slice1_best_above_0_0 <= slice1winner4_best_above_0_0 when slice1_best_cost_0_0_is_less else
-        slice1_best_above_0_0_choice;
+      if slice1winner4_best_index_0_0 = 0 then
+        slice1_best_below_0_0_choice := slice0_best_last_0_0;
+      else
+        slice1_best_below_0_0_choice := slice1winner4_best_below_0_0;
+      end if;
+      if slice0_best_index_0_0 = 15 then
+        slice1_best_above_0_0_choice := slice1winner4_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice0_best_above_0_0;
+      end if;
       slice1_best_last_0_0 <= slice1winner4_best_last_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice1winner4_best_cost_0_0;
+        slice1_best_index_0_0 <= slice1winner4_best_index_0_0 + 16;
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice1winner4_best_above_0_0;
+      else
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice0_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      end if;
       -- slice2shift
       if slice0cost_pixels_first_tag_valid then
         slice2shift_search_0_0 <= slice1shift_search_out_0;
@@ -7442,70 +9894,166 @@ begin
       slice2cost_pixels_first_1_0_count_7_value_2 := ((slice2shift_reference_1 / 8388608) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_7_value_3 := ((slice2shift_reference_1 / 4194304) mod 2) = 1;
       slice2cost_pixels_first_1_0_count_8_value := ((slice2shift_reference_1 / 16777216) mod 2) = 1;
-      slice2cost_column_0_0_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_0(7 downto 0));
-      slice2cost_column_0_0_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_0 +
-        slice2cost_column_0_0_choice) mod 256;
-      slice2cost_column_0_1_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_0(15 downto 8));
-      slice2cost_column_0_1_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_1 +
-        slice2cost_column_0_1_choice) mod 256;
-      slice2cost_column_0_2_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_0(23 downto 16));
-      slice2cost_column_0_2_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_2 +
-        slice2cost_column_0_2_choice) mod 256;
-      slice2cost_column_0_3_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_0(31 downto 24));
-      slice2cost_column_0_3_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_3 +
-        slice2cost_column_0_3_choice) mod 256;
-      slice2cost_column_0_4_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_1(7 downto 0));
-      slice2cost_column_0_4_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_4 +
-        slice2cost_column_0_4_choice) mod 256;
-      slice2cost_column_0_5_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_1(15 downto 8));
-      slice2cost_column_0_5_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_5 +
-        slice2cost_column_0_5_choice) mod 256;
-      slice2cost_column_0_6_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_1(23 downto 16));
-      slice2cost_column_0_6_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_6 +
-        slice2cost_column_0_6_choice) mod 256;
-      slice2cost_column_0_7_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_1(31 downto 24));
-      slice2cost_column_0_7_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_7 +
-        slice2cost_column_0_7_choice) mod 256;
-      slice2cost_column_0_8_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_2(7 downto 0));
-      slice2cost_column_0_8_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_8 +
-        slice2cost_column_0_8_choice) mod 256;
-      slice2cost_column_0_9_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_2(15 downto 8));
-      slice2cost_column_0_9_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_9 +
-        slice2cost_column_0_9_choice) mod 256;
-      slice2cost_column_0_10_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_2(23 downto 16));
-      slice2cost_column_0_10_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_10 +
-        slice2cost_column_0_10_choice) mod 256;
-      slice2cost_column_0_11_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_2(31 downto 24));
-      slice2cost_column_0_11_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_11 +
-        slice2cost_column_0_11_choice) mod 256;
-      slice2cost_column_0_12_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_3(7 downto 0));
-      slice2cost_column_0_12_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_12 +
-        slice2cost_column_0_12_choice) mod 256;
-      slice2cost_column_0_13_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_3(15 downto 8));
-      slice2cost_column_0_13_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_13 +
-        slice2cost_column_0_13_choice) mod 256;
-      slice2cost_column_0_14_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_3(23 downto 16));
-      slice2cost_column_0_14_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_14 +
-        slice2cost_column_0_14_choice) mod 256;
-      slice2cost_column_0_15_choice := 0 when slice0window_entering_tag_first_group else
-        to_integer(slice2cost_ready_words_3(31 downto 24));
-      slice2cost_column_0_15_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_15 +
-        slice2cost_column_0_15_choice) mod 256;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_0_choice := 0;
+      else
+        slice2cost_column_0_0_choice := to_integer(slice2cost_ready_words_0(7 downto 0));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_0_choice_2 := 0;
+      else
+        slice2cost_column_0_0_choice_2 := (slice2cost_change_0_0 + slice2cost_column_0_0_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_1_choice := 0;
+      else
+        slice2cost_column_0_1_choice := to_integer(slice2cost_ready_words_0(15 downto 8));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_1_choice_2 := 0;
+      else
+        slice2cost_column_0_1_choice_2 := (slice2cost_change_0_1 + slice2cost_column_0_1_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_2_choice := 0;
+      else
+        slice2cost_column_0_2_choice := to_integer(slice2cost_ready_words_0(23 downto 16));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_2_choice_2 := 0;
+      else
+        slice2cost_column_0_2_choice_2 := (slice2cost_change_0_2 + slice2cost_column_0_2_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_3_choice := 0;
+      else
+        slice2cost_column_0_3_choice := to_integer(slice2cost_ready_words_0(31 downto 24));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_3_choice_2 := 0;
+      else
+        slice2cost_column_0_3_choice_2 := (slice2cost_change_0_3 + slice2cost_column_0_3_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_4_choice := 0;
+      else
+        slice2cost_column_0_4_choice := to_integer(slice2cost_ready_words_1(7 downto 0));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_4_choice_2 := 0;
+      else
+        slice2cost_column_0_4_choice_2 := (slice2cost_change_0_4 + slice2cost_column_0_4_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_5_choice := 0;
+      else
+        slice2cost_column_0_5_choice := to_integer(slice2cost_ready_words_1(15 downto 8));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_5_choice_2 := 0;
+      else
+        slice2cost_column_0_5_choice_2 := (slice2cost_change_0_5 + slice2cost_column_0_5_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_6_choice := 0;
+      else
+        slice2cost_column_0_6_choice := to_integer(slice2cost_ready_words_1(23 downto 16));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_6_choice_2 := 0;
+      else
+        slice2cost_column_0_6_choice_2 := (slice2cost_change_0_6 + slice2cost_column_0_6_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_7_choice := 0;
+      else
+        slice2cost_column_0_7_choice := to_integer(slice2cost_ready_words_1(31 downto 24));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_7_choice_2 := 0;
+      else
+        slice2cost_column_0_7_choice_2 := (slice2cost_change_0_7 + slice2cost_column_0_7_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_8_choice := 0;
+      else
+        slice2cost_column_0_8_choice := to_integer(slice2cost_ready_words_2(7 downto 0));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_8_choice_2 := 0;
+      else
+        slice2cost_column_0_8_choice_2 := (slice2cost_change_0_8 + slice2cost_column_0_8_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_9_choice := 0;
+      else
+        slice2cost_column_0_9_choice := to_integer(slice2cost_ready_words_2(15 downto 8));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_9_choice_2 := 0;
+      else
+        slice2cost_column_0_9_choice_2 := (slice2cost_change_0_9 + slice2cost_column_0_9_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_10_choice := 0;
+      else
+        slice2cost_column_0_10_choice := to_integer(slice2cost_ready_words_2(23 downto 16));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_10_choice_2 := 0;
+      else
+        slice2cost_column_0_10_choice_2 := (slice2cost_change_0_10 + slice2cost_column_0_10_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_11_choice := 0;
+      else
+        slice2cost_column_0_11_choice := to_integer(slice2cost_ready_words_2(31 downto 24));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_11_choice_2 := 0;
+      else
+        slice2cost_column_0_11_choice_2 := (slice2cost_change_0_11 + slice2cost_column_0_11_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_12_choice := 0;
+      else
+        slice2cost_column_0_12_choice := to_integer(slice2cost_ready_words_3(7 downto 0));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_12_choice_2 := 0;
+      else
+        slice2cost_column_0_12_choice_2 := (slice2cost_change_0_12 + slice2cost_column_0_12_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_13_choice := 0;
+      else
+        slice2cost_column_0_13_choice := to_integer(slice2cost_ready_words_3(15 downto 8));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_13_choice_2 := 0;
+      else
+        slice2cost_column_0_13_choice_2 := (slice2cost_change_0_13 + slice2cost_column_0_13_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_14_choice := 0;
+      else
+        slice2cost_column_0_14_choice := to_integer(slice2cost_ready_words_3(23 downto 16));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_14_choice_2 := 0;
+      else
+        slice2cost_column_0_14_choice_2 := (slice2cost_change_0_14 + slice2cost_column_0_14_choice) mod 256;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_15_choice := 0;
+      else
+        slice2cost_column_0_15_choice := to_integer(slice2cost_ready_words_3(31 downto 24));
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_15_choice_2 := 0;
+      else
+        slice2cost_column_0_15_choice_2 := (slice2cost_change_0_15 + slice2cost_column_0_15_choice) mod 256;
+      end if;
       slice2cost_pixels_first_0_0_count_0 <= as_number((((slice2shift_search_0_0 mod 2) = 1) /=
         ((slice2shift_reference_0 mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value /=
         (((slice2shift_search_0_0 / 4) mod 2) = 1))) + as_number((slice2cost_pixels_first_0_0_count_0_value_2 /=
@@ -8805,7 +11353,11 @@ begin
       slice2cost_column_0_14 <= slice2cost_column_0_14_choice_2;
       slice2cost_column_0_15 <= slice2cost_column_0_15_choice_2;
       if slice0cost_pixels_tag_valid then
-        slice2cost_read_column <= 0 when slice0cost_pixels_tag_row_start else (slice2cost_read_column + 1) mod 512;
+        if slice0cost_pixels_tag_row_start then
+          slice2cost_read_column <= 0;
+        else
+          slice2cost_read_column <= (slice2cost_read_column + 1) mod 512;
+        end if;
       end if;
       if slice0window_entering_tag_valid then
         slice2cost_write_column <= slice2cost_ready_column;
@@ -8824,9 +11376,12 @@ begin
       end if;
       -- slice2window
       if slice0window_change_tag_valid then
-        slice2window_ring_read_address <= 0 when slice2window_ring_read_address = 9 else
-          (slice2window_ring_read_address + 1) mod 16;
         slice2window_ring_write_address <= slice2window_ring_read_address;
+        if slice2window_ring_read_address = 9 then
+          slice2window_ring_read_address <= 0;
+        else
+          slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice1window_change_tag_leaves_window then
         slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(7 downto 0));
@@ -8941,22 +11496,86 @@ begin
       slice2window_change_0_14 <= slice2window_entering_0_14 - slice2window_change_0_14_choice;
       slice2window_change_0_15 <= slice2window_entering_0_15 - slice2window_change_0_15_choice;
       slice2window_change_tag_first_cost <= slice1window_change_tag_first_cost;
-      slice2window_sum_0_0_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_0;
-      slice2window_sum_0_1_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_1;
-      slice2window_sum_0_2_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_2;
-      slice2window_sum_0_3_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_3;
-      slice2window_sum_0_4_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_4;
-      slice2window_sum_0_5_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_5;
-      slice2window_sum_0_6_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_6;
-      slice2window_sum_0_7_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_7;
-      slice2window_sum_0_8_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_8;
-      slice2window_sum_0_9_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_9;
-      slice2window_sum_0_10_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_10;
-      slice2window_sum_0_11_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_11;
-      slice2window_sum_0_12_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_12;
-      slice2window_sum_0_13_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_13;
-      slice2window_sum_0_14_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_14;
-      slice2window_sum_0_15_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_15;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_0_choice := 0;
+      else
+        slice2window_sum_0_0_choice := slice2window_sum_0_0;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_1_choice := 0;
+      else
+        slice2window_sum_0_1_choice := slice2window_sum_0_1;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_2_choice := 0;
+      else
+        slice2window_sum_0_2_choice := slice2window_sum_0_2;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_3_choice := 0;
+      else
+        slice2window_sum_0_3_choice := slice2window_sum_0_3;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_4_choice := 0;
+      else
+        slice2window_sum_0_4_choice := slice2window_sum_0_4;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_5_choice := 0;
+      else
+        slice2window_sum_0_5_choice := slice2window_sum_0_5;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_6_choice := 0;
+      else
+        slice2window_sum_0_6_choice := slice2window_sum_0_6;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_7_choice := 0;
+      else
+        slice2window_sum_0_7_choice := slice2window_sum_0_7;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_8_choice := 0;
+      else
+        slice2window_sum_0_8_choice := slice2window_sum_0_8;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_9_choice := 0;
+      else
+        slice2window_sum_0_9_choice := slice2window_sum_0_9;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_10_choice := 0;
+      else
+        slice2window_sum_0_10_choice := slice2window_sum_0_10;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_11_choice := 0;
+      else
+        slice2window_sum_0_11_choice := slice2window_sum_0_11;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_12_choice := 0;
+      else
+        slice2window_sum_0_12_choice := slice2window_sum_0_12;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_13_choice := 0;
+      else
+        slice2window_sum_0_13_choice := slice2window_sum_0_13;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_14_choice := 0;
+      else
+        slice2window_sum_0_14_choice := slice2window_sum_0_14;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_15_choice := 0;
+      else
+        slice2window_sum_0_15_choice := slice2window_sum_0_15;
+      end if;
       if slice0winner1_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 4096;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 4096;
@@ -8991,46 +11610,7 @@ begin
       slice2winner1_best_cost_0_5_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
       slice2winner1_best_cost_0_6_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
       slice2winner1_best_cost_0_7_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
-        slice2window_sum_0_2;
-      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
-        slice2window_sum_0_4;
-      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
-        slice2window_sum_0_6;
-      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_best_cost_0_4_is_less else
-        slice2window_sum_0_8;
-      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_best_cost_0_5_is_less else
-        slice2window_sum_0_10;
-      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when slice2winner1_best_cost_0_6_is_less else
-        slice2window_sum_0_12;
-      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when slice2winner1_best_cost_0_7_is_less else
-        slice2window_sum_0_14;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
-      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
-      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
-      slice2winner1_best_index_0_4 <= 9 when slice2winner1_best_cost_0_4_is_less else 8;
-      slice2winner1_best_index_0_5 <= 11 when slice2winner1_best_cost_0_5_is_less else 10;
-      slice2winner1_best_index_0_6 <= 13 when slice2winner1_best_cost_0_6_is_less else 12;
-      slice2winner1_best_index_0_7 <= 15 when slice2winner1_best_cost_0_7_is_less else 14;
-      slice2winner1_best_below_0_0 <= slice2window_sum_0_0 when slice2winner1_best_cost_0_0_is_less else 0;
-      slice2winner1_best_below_0_1 <= slice2window_sum_0_2 when slice2winner1_best_cost_0_1_is_less else 0;
-      slice2winner1_best_below_0_2 <= slice2window_sum_0_4 when slice2winner1_best_cost_0_2_is_less else 0;
-      slice2winner1_best_below_0_3 <= slice2window_sum_0_6 when slice2winner1_best_cost_0_3_is_less else 0;
-      slice2winner1_best_below_0_4 <= slice2window_sum_0_8 when slice2winner1_best_cost_0_4_is_less else 0;
-      slice2winner1_best_below_0_5 <= slice2window_sum_0_10 when slice2winner1_best_cost_0_5_is_less else 0;
-      slice2winner1_best_below_0_6 <= slice2window_sum_0_12 when slice2winner1_best_cost_0_6_is_less else 0;
-      slice2winner1_best_below_0_7 <= slice2window_sum_0_14 when slice2winner1_best_cost_0_7_is_less else 0;
-      slice2winner1_best_above_0_0 <= 0 when slice2winner1_best_cost_0_0_is_less else slice2window_sum_0_1;
-      slice2winner1_best_above_0_1 <= 0 when slice2winner1_best_cost_0_1_is_less else slice2window_sum_0_3;
-      slice2winner1_best_above_0_2 <= 0 when slice2winner1_best_cost_0_2_is_less else slice2window_sum_0_5;
-      slice2winner1_best_above_0_3 <= 0 when slice2winner1_best_cost_0_3_is_less else slice2window_sum_0_7;
-      slice2winner1_best_above_0_4 <= 0 when slice2winner1_best_cost_0_4_is_less else slice2window_sum_0_9;
-      slice2winner1_best_above_0_5 <= 0 when slice2winner1_best_cost_0_5_is_less else slice2window_sum_0_11;
-      slice2winner1_best_above_0_6 <= 0 when slice2winner1_best_cost_0_6_is_less else slice2window_sum_0_13;
-      slice2winner1_best_above_0_7 <= 0 when slice2winner1_best_cost_0_7_is_less else slice2window_sum_0_15;
       slice2winner1_best_first_0_0 <= slice2window_sum_0_0;
       slice2winner1_best_first_0_1 <= slice2window_sum_0_2;
       slice2winner1_best_first_0_2 <= slice2window_sum_0_4;
@@ -9046,59 +11626,137 @@ begin
       slice2winner1_best_last_0_4 <= slice2window_sum_0_9;
       slice2winner1_best_last_0_5 <= slice2window_sum_0_11;
       slice2winner1_best_last_0_6 <= slice2window_sum_0_13;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+        slice2winner1_best_below_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_above_0_0 <= 0;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_below_0_0 <= 0;
+        slice2winner1_best_above_0_0 <= slice2window_sum_0_1;
+      end if;
+      if slice2winner1_best_cost_0_1_is_less then
+        slice2winner1_best_cost_0_1 <= slice2window_sum_0_3;
+        slice2winner1_best_index_0_1 <= 3;
+        slice2winner1_best_below_0_1 <= slice2window_sum_0_2;
+        slice2winner1_best_above_0_1 <= 0;
+      else
+        slice2winner1_best_cost_0_1 <= slice2window_sum_0_2;
+        slice2winner1_best_index_0_1 <= 2;
+        slice2winner1_best_below_0_1 <= 0;
+        slice2winner1_best_above_0_1 <= slice2window_sum_0_3;
+      end if;
+      if slice2winner1_best_cost_0_2_is_less then
+        slice2winner1_best_cost_0_2 <= slice2window_sum_0_5;
+        slice2winner1_best_index_0_2 <= 5;
+        slice2winner1_best_below_0_2 <= slice2window_sum_0_4;
+        slice2winner1_best_above_0_2 <= 0;
+      else
+        slice2winner1_best_cost_0_2 <= slice2window_sum_0_4;
+        slice2winner1_best_index_0_2 <= 4;
+        slice2winner1_best_below_0_2 <= 0;
+        slice2winner1_best_above_0_2 <= slice2window_sum_0_5;
+      end if;
+      if slice2winner1_best_cost_0_3_is_less then
+        slice2winner1_best_cost_0_3 <= slice2window_sum_0_7;
+        slice2winner1_best_index_0_3 <= 7;
+        slice2winner1_best_below_0_3 <= slice2window_sum_0_6;
+        slice2winner1_best_above_0_3 <= 0;
+      else
+        slice2winner1_best_cost_0_3 <= slice2window_sum_0_6;
+        slice2winner1_best_index_0_3 <= 6;
+        slice2winner1_best_below_0_3 <= 0;
+        slice2winner1_best_above_0_3 <= slice2window_sum_0_7;
+      end if;
+      if slice2winner1_best_cost_0_4_is_less then
+        slice2winner1_best_cost_0_4 <= slice2window_sum_0_9;
+        slice2winner1_best_index_0_4 <= 9;
+        slice2winner1_best_below_0_4 <= slice2window_sum_0_8;
+        slice2winner1_best_above_0_4 <= 0;
+      else
+        slice2winner1_best_cost_0_4 <= slice2window_sum_0_8;
+        slice2winner1_best_index_0_4 <= 8;
+        slice2winner1_best_below_0_4 <= 0;
+        slice2winner1_best_above_0_4 <= slice2window_sum_0_9;
+      end if;
+      if slice2winner1_best_cost_0_5_is_less then
+        slice2winner1_best_cost_0_5 <= slice2window_sum_0_11;
+        slice2winner1_best_index_0_5 <= 11;
+        slice2winner1_best_below_0_5 <= slice2window_sum_0_10;
+        slice2winner1_best_above_0_5 <= 0;
+      else
+        slice2winner1_best_cost_0_5 <= slice2window_sum_0_10;
+        slice2winner1_best_index_0_5 <= 10;
+        slice2winner1_best_below_0_5 <= 0;
+        slice2winner1_best_above_0_5 <= slice2window_sum_0_11;
+      end if;
+      if slice2winner1_best_cost_0_6_is_less then
+        slice2winner1_best_cost_0_6 <= slice2window_sum_0_13;
+        slice2winner1_best_index_0_6 <= 13;
+        slice2winner1_best_below_0_6 <= slice2window_sum_0_12;
+        slice2winner1_best_above_0_6 <= 0;
+      else
+        slice2winner1_best_cost_0_6 <= slice2window_sum_0_12;
+        slice2winner1_best_index_0_6 <= 12;
+        slice2winner1_best_below_0_6 <= 0;
+        slice2winner1_best_above_0_6 <= slice2window_sum_0_13;
+      end if;
+      if slice2winner1_best_cost_0_7_is_less then
+        slice2winner1_best_cost_0_7 <= slice2window_sum_0_15;
+        slice2winner1_best_index_0_7 <= 15;
+        slice2winner1_best_below_0_7 <= slice2window_sum_0_14;
+        slice2winner1_best_above_0_7 <= 0;
+      else
+        slice2winner1_best_cost_0_7 <= slice2window_sum_0_14;
+        slice2winner1_best_index_0_7 <= 14;
+        slice2winner1_best_below_0_7 <= 0;
+        slice2winner1_best_above_0_7 <= slice2window_sum_0_15;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
       slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
       slice2winner2_best_cost_0_2_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
       slice2winner2_best_cost_0_3_is_less := (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0;
-      slice2winner2_best_below_0_0_choice := slice2winner1_best_last_0_0 when slice2winner1_best_index_0_1 = 2 else
-        slice2winner1_best_below_0_1;
-      slice2winner2_best_below_0_1_choice := slice2winner1_best_last_0_2 when slice2winner1_best_index_0_3 = 6 else
-        slice2winner1_best_below_0_3;
-      slice2winner2_best_below_0_2_choice := slice2winner1_best_last_0_4 when ((slice2winner1_best_index_0_5 / 8) = 1)
-        and ((slice2winner1_best_index_0_5 mod 4) = 2) else slice2winner1_best_below_0_5;
-      slice2winner2_best_below_0_3_choice := slice2winner1_best_last_0_6 when slice2winner1_best_index_0_7 = 14 else
-        slice2winner1_best_below_0_7;
-      slice2winner2_best_above_0_0_choice := slice2winner1_best_first_0_1 when slice2winner1_best_index_0_0 else
-        slice2winner1_best_above_0_0;
-      slice2winner2_best_above_0_1_choice := slice2winner1_best_first_0_3 when other_3 else
-        slice2winner1_best_above_0_2;
-      slice2winner2_best_above_0_2_choice := slice2winner1_best_first_0_5 when other_4 else
-        slice2winner1_best_above_0_4;
-      slice2winner2_best_above_0_3_choice := slice2winner1_best_first_0_7 when other_5 else
-        slice2winner1_best_above_0_6;
-      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
-        slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
-        slice2winner1_best_cost_0_2;
-      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner2_best_cost_0_2_is_less else
-        slice2winner1_best_cost_0_4;
-      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_cost_0_6;
-      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
-        as_number(slice2winner1_best_index_0_0);
-      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
-        slice2winner1_best_index_0_2;
-      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_cost_0_2_is_less else
-        slice2winner1_best_index_0_4;
-      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_index_0_6;
-      slice2winner2_best_below_0_0 <= slice2winner2_best_below_0_0_choice when slice2winner2_best_cost_0_0_is_less else
-        slice2winner1_best_below_0_0;
-      slice2winner2_best_below_0_1 <= slice2winner2_best_below_0_1_choice when slice2winner2_best_cost_0_1_is_less else
-        slice2winner1_best_below_0_2;
-      slice2winner2_best_below_0_2 <= slice2winner2_best_below_0_2_choice when slice2winner2_best_cost_0_2_is_less else
-        slice2winner1_best_below_0_4;
-      slice2winner2_best_below_0_3 <= slice2winner2_best_below_0_3_choice when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_below_0_6;
-      slice2winner2_best_above_0_0 <= slice2winner1_best_above_0_1 when slice2winner2_best_cost_0_0_is_less else
-        slice2winner2_best_above_0_0_choice;
-      slice2winner2_best_above_0_1 <= slice2winner1_best_above_0_3 when slice2winner2_best_cost_0_1_is_less else
-        slice2winner2_best_above_0_1_choice;
-      slice2winner2_best_above_0_2 <= slice2winner1_best_above_0_5 when slice2winner2_best_cost_0_2_is_less else
-        slice2winner2_best_above_0_2_choice;
-      slice2winner2_best_above_0_3 <= slice2winner1_best_above_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner2_best_above_0_3_choice;
+      if slice2winner1_best_index_0_1 = 2 then
+        slice2winner2_best_below_0_0_choice := slice2winner1_best_last_0_0;
+      else
+        slice2winner2_best_below_0_0_choice := slice2winner1_best_below_0_1;
+      end if;
+      if slice2winner1_best_index_0_3 = 6 then
+        slice2winner2_best_below_0_1_choice := slice2winner1_best_last_0_2;
+      else
+        slice2winner2_best_below_0_1_choice := slice2winner1_best_below_0_3;
+      end if;
+      if ((slice2winner1_best_index_0_5 / 8) = 1) and ((slice2winner1_best_index_0_5 mod 4) = 2) then
+        slice2winner2_best_below_0_2_choice := slice2winner1_best_last_0_4;
+      else
+        slice2winner2_best_below_0_2_choice := slice2winner1_best_below_0_5;
+      end if;
+      if slice2winner1_best_index_0_7 = 14 then
+        slice2winner2_best_below_0_3_choice := slice2winner1_best_last_0_6;
+      else
+        slice2winner2_best_below_0_3_choice := slice2winner1_best_below_0_7;
+      end if;
+      if slice2winner1_best_index_0_0 then
+        slice2winner2_best_above_0_0_choice := slice2winner1_best_first_0_1;
+      else
+        slice2winner2_best_above_0_0_choice := slice2winner1_best_above_0_0;
+      end if;
+      if other_3 then
+        slice2winner2_best_above_0_1_choice := slice2winner1_best_first_0_3;
+      else
+        slice2winner2_best_above_0_1_choice := slice2winner1_best_above_0_2;
+      end if;
+      if other_4 then
+        slice2winner2_best_above_0_2_choice := slice2winner1_best_first_0_5;
+      else
+        slice2winner2_best_above_0_2_choice := slice2winner1_best_above_0_4;
+      end if;
+      if other_5 then
+        slice2winner2_best_above_0_3_choice := slice2winner1_best_first_0_7;
+      else
+        slice2winner2_best_above_0_3_choice := slice2winner1_best_above_0_6;
+      end if;
       slice2winner2_best_first_0_0 <= slice2winner1_best_first_0_0;
       slice2winner2_best_first_0_1 <= slice2winner1_best_first_0_2;
       slice2winner2_best_first_0_2 <= slice2winner1_best_first_0_4;
@@ -9106,81 +11764,172 @@ begin
       slice2winner2_best_last_0_0 <= slice2winner1_best_last_0_1;
       slice2winner2_best_last_0_1 <= slice2winner1_best_last_0_3;
       slice2winner2_best_last_0_2 <= slice2winner1_best_last_0_5;
+      if slice2winner2_best_cost_0_0_is_less then
+        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1;
+        slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1;
+        slice2winner2_best_below_0_0 <= slice2winner2_best_below_0_0_choice;
+        slice2winner2_best_above_0_0 <= slice2winner1_best_above_0_1;
+      else
+        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
+        slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
+        slice2winner2_best_below_0_0 <= slice2winner1_best_below_0_0;
+        slice2winner2_best_above_0_0 <= slice2winner2_best_above_0_0_choice;
+      end if;
+      if slice2winner2_best_cost_0_1_is_less then
+        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3;
+        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3;
+        slice2winner2_best_below_0_1 <= slice2winner2_best_below_0_1_choice;
+        slice2winner2_best_above_0_1 <= slice2winner1_best_above_0_3;
+      else
+        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_2;
+        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2;
+        slice2winner2_best_below_0_1 <= slice2winner1_best_below_0_2;
+        slice2winner2_best_above_0_1 <= slice2winner2_best_above_0_1_choice;
+      end if;
+      if slice2winner2_best_cost_0_2_is_less then
+        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5;
+        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5;
+        slice2winner2_best_below_0_2 <= slice2winner2_best_below_0_2_choice;
+        slice2winner2_best_above_0_2 <= slice2winner1_best_above_0_5;
+      else
+        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_4;
+        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
+        slice2winner2_best_below_0_2 <= slice2winner1_best_below_0_4;
+        slice2winner2_best_above_0_2 <= slice2winner2_best_above_0_2_choice;
+      end if;
+      if slice2winner2_best_cost_0_3_is_less then
+        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7;
+        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7;
+        slice2winner2_best_below_0_3 <= slice2winner2_best_below_0_3_choice;
+        slice2winner2_best_above_0_3 <= slice2winner1_best_above_0_7;
+      else
+        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_6;
+        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_6;
+        slice2winner2_best_below_0_3 <= slice2winner1_best_below_0_6;
+        slice2winner2_best_above_0_3 <= slice2winner2_best_above_0_3_choice;
+      end if;
       -- slice2winner3
       slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
       slice2winner3_best_cost_0_1_is_less := (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0;
-      slice2winner3_best_below_0_0_choice := slice2winner2_best_last_0_0 when slice2winner2_best_index_0_1 = 4 else
-        slice2winner2_best_below_0_1;
-      slice2winner3_best_below_0_1_choice := slice2winner2_best_last_0_2 when slice2winner2_best_index_0_3 = 12 else
-        slice2winner2_best_below_0_3;
-      slice2winner3_best_above_0_0_choice := slice2winner2_best_first_0_1 when slice2winner2_best_index_0_0 = 3 else
-        slice2winner2_best_above_0_0;
-      slice2winner3_best_above_0_1_choice := slice2winner2_best_first_0_3 when ((slice2winner2_best_index_0_2 / 8) = 1)
-        and ((slice2winner2_best_index_0_2 mod 4) = 3) else slice2winner2_best_above_0_2;
-      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
-        slice2winner2_best_cost_0_0;
-      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_cost_0_2;
-      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
-        slice2winner2_best_index_0_0;
-      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_index_0_2;
-      slice2winner3_best_below_0_0 <= slice2winner3_best_below_0_0_choice when slice2winner3_best_cost_0_0_is_less else
-        slice2winner2_best_below_0_0;
-      slice2winner3_best_below_0_1 <= slice2winner3_best_below_0_1_choice when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_below_0_2;
-      slice2winner3_best_above_0_0 <= slice2winner2_best_above_0_1 when slice2winner3_best_cost_0_0_is_less else
-        slice2winner3_best_above_0_0_choice;
-      slice2winner3_best_above_0_1 <= slice2winner2_best_above_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner3_best_above_0_1_choice;
+      if slice2winner2_best_index_0_1 = 4 then
+        slice2winner3_best_below_0_0_choice := slice2winner2_best_last_0_0;
+      else
+        slice2winner3_best_below_0_0_choice := slice2winner2_best_below_0_1;
+      end if;
+      if slice2winner2_best_index_0_3 = 12 then
+        slice2winner3_best_below_0_1_choice := slice2winner2_best_last_0_2;
+      else
+        slice2winner3_best_below_0_1_choice := slice2winner2_best_below_0_3;
+      end if;
+      if slice2winner2_best_index_0_0 = 3 then
+        slice2winner3_best_above_0_0_choice := slice2winner2_best_first_0_1;
+      else
+        slice2winner3_best_above_0_0_choice := slice2winner2_best_above_0_0;
+      end if;
+      if ((slice2winner2_best_index_0_2 / 8) = 1) and ((slice2winner2_best_index_0_2 mod 4) = 3) then
+        slice2winner3_best_above_0_1_choice := slice2winner2_best_first_0_3;
+      else
+        slice2winner3_best_above_0_1_choice := slice2winner2_best_above_0_2;
+      end if;
       slice2winner3_best_first_0_0 <= slice2winner2_best_first_0_0;
       slice2winner3_best_first_0_1 <= slice2winner2_best_first_0_2;
       slice2winner3_best_last_0_0 <= slice2winner2_best_last_0_1;
+      if slice2winner3_best_cost_0_0_is_less then
+        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1;
+        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1;
+        slice2winner3_best_below_0_0 <= slice2winner3_best_below_0_0_choice;
+        slice2winner3_best_above_0_0 <= slice2winner2_best_above_0_1;
+      else
+        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+        slice2winner3_best_below_0_0 <= slice2winner2_best_below_0_0;
+        slice2winner3_best_above_0_0 <= slice2winner3_best_above_0_0_choice;
+      end if;
+      if slice2winner3_best_cost_0_1_is_less then
+        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3;
+        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3;
+        slice2winner3_best_below_0_1 <= slice2winner3_best_below_0_1_choice;
+        slice2winner3_best_above_0_1 <= slice2winner2_best_above_0_3;
+      else
+        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_2;
+        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
+        slice2winner3_best_below_0_1 <= slice2winner2_best_below_0_2;
+        slice2winner3_best_above_0_1 <= slice2winner3_best_above_0_1_choice;
+      end if;
       -- slice2winner4
       slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
-      slice2winner4_best_below_0_0_choice := slice2winner3_best_last_0_0 when slice2winner3_best_index_0_1 = 8 else
-        slice2winner3_best_below_0_1;
-      slice2winner4_best_above_0_0_choice := slice2winner3_best_first_0_1 when slice2winner3_best_index_0_0 = 7 else
-        slice2winner3_best_above_0_0;
-      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_cost_0_0;
-      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_index_0_0;
-      slice2winner4_best_below_0_0 <= slice2winner4_best_below_0_0_choice when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_below_0_0;
-      slice2winner4_best_above_0_0 <= slice2winner3_best_above_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner4_best_above_0_0_choice;
+      if slice2winner3_best_index_0_1 = 8 then
+        slice2winner4_best_below_0_0_choice := slice2winner3_best_last_0_0;
+      else
+        slice2winner4_best_below_0_0_choice := slice2winner3_best_below_0_1;
+      end if;
+      if slice2winner3_best_index_0_0 = 7 then
+        slice2winner4_best_above_0_0_choice := slice2winner3_best_first_0_1;
+      else
+        slice2winner4_best_above_0_0_choice := slice2winner3_best_above_0_0;
+      end if;
       slice2winner4_best_first_0_0 <= slice2winner3_best_first_0_0;
+      if slice2winner4_best_cost_0_0_is_less then
+        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1;
+        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1;
+        slice2winner4_best_below_0_0 <= slice2winner4_best_below_0_0_choice;
+        slice2winner4_best_above_0_0 <= slice2winner3_best_above_0_1;
+      else
+        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_0;
+        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0;
+        slice2winner4_best_below_0_0 <= slice2winner3_best_below_0_0;
+        slice2winner4_best_above_0_0 <= slice2winner4_best_above_0_0_choice;
+      end if;
       -- slice2
       slice2_best_cost_0_0_is_less := (slice2winner4_best_cost_0_0 - slice1_best_cost_0_0) < 0;
-      slice2_best_below_0_0_choice := slice1_best_last_0_0 when slice2winner4_best_index_0_0 = 0 else
-        slice2winner4_best_below_0_0;
-      slice2_best_above_0_0_choice := slice2winner4_best_first_0_0 when slice1_best_index_0_0 = 31 else
-        slice1_best_above_0_0;
-      slice2_best_cost_0_0 <= slice2winner4_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice1_best_cost_0_0;
-      slice2_best_index_0_0 <= slice2winner4_best_index_0_0 + 32 when slice2_best_cost_0_0_is_less else
-        slice1_best_index_0_0;
-      slice2_best_below_0_0 <= slice2_best_below_0_0_choice when slice2_best_cost_0_0_is_less else
-        slice1_best_below_0_0;
-      slice2_best_above_0_0 <= slice2winner4_best_above_0_0 when slice2_best_cost_0_0_is_less else
-        slice2_best_above_0_0_choice;
+      if slice2winner4_best_index_0_0 = 0 then
+        slice2_best_below_0_0_choice := slice1_best_last_0_0;
+      else
+        slice2_best_below_0_0_choice := slice2winner4_best_below_0_0;
+      end if;
+      if slice1_best_index_0_0 = 31 then
+        slice2_best_above_0_0_choice := slice2winner4_best_first_0_0;
+      else
+        slice2_best_above_0_0_choice := slice1_best_above_0_0;
+      end if;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_map_column <= slice1_best_tag_map_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if slice2_best_cost_0_0_is_less then
+        slice2_best_cost_0_0 <= slice2winner4_best_cost_0_0;
+        slice2_best_index_0_0 <= slice2winner4_best_index_0_0 + 32;
+        slice2_best_below_0_0 <= slice2_best_below_0_0_choice;
+        slice2_best_above_0_0 <= slice2winner4_best_above_0_0;
+      else
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+        slice2_best_below_0_0 <= slice1_best_below_0_0;
+        slice2_best_above_0_0 <= slice2_best_above_0_0_choice;
+      end if;
       -- refinement
       refinement_tag_11_row_start_differs := map_counter_group /= 376;
       refinement_tag_11_row_start_is_equal := map_counter_column = 401;
-      refinement_tag_11_row_start_choice := refinement_tag_11_row_start and (map_counter_group /= 375) when
-        refinement_tag_11_row_start_is_equal else refinement_tag_11_row_start;
-      refinement_tag_11_row_start_choice_2 := refinement_tag_11_row_start_choice when
-        refinement_tag_11_row_start_differs else refinement_tag_11_row_start;
+      if refinement_tag_11_row_start_is_equal then
+        refinement_tag_11_row_start_choice := refinement_tag_11_row_start and (map_counter_group /= 375);
+      else
+        refinement_tag_11_row_start_choice := refinement_tag_11_row_start;
+      end if;
+      if refinement_tag_11_row_start_differs then
+        refinement_tag_11_row_start_choice_2 := refinement_tag_11_row_start_choice;
+      else
+        refinement_tag_11_row_start_choice_2 := refinement_tag_11_row_start;
+      end if;
       refinement_tag_11_row_start_is_equal_2 := map_counter_group = 374;
       refinement_tag_11_row_start_all := refinement_tag_11_row_start_is_equal_2 and
         refinement_tag_11_row_start_is_equal;
-      refinement_tag_11_row_start_choice_3 := (not refinement_tag_11_start_of_frame) or refinement_tag_11_row_start_all
-        when refinement_tag_11_row_start_choice_2 else refinement_tag_11_start_of_frame and
-        refinement_tag_11_row_start_is_equal_2 and refinement_tag_11_row_start_is_equal;
+      if refinement_tag_11_row_start_choice_2 then
+        refinement_tag_11_row_start_choice_3 := (not refinement_tag_11_start_of_frame) or
+          refinement_tag_11_row_start_all;
+      else
+        refinement_tag_11_row_start_choice_3 := refinement_tag_11_start_of_frame and
+          refinement_tag_11_row_start_is_equal_2 and refinement_tag_11_row_start_is_equal;
+      end if;
       refinement_tag_11_row_start_all_2 := refinement_tag_11_valid and refinement_tag_11_map_column;
       refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 8192) - refinement_divisor_0_0;
       refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 8192) - refinement_divisor_1_0;
@@ -9190,7 +11939,11 @@ begin
       refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 8192) - refinement_divisor_5_0;
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 8192) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -9269,33 +12022,14 @@ begin
       refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
       refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
       refinement_tag_11_valid <= refinement_tag_10_valid;
-      refinement_tag_11_row_start <= refinement_tag_11_row_start or refinement_tag_11_row_start_all_2 when
-        refinement_tag_11_row_start_choice_3 else refinement_tag_11_row_start and ((not refinement_tag_11_valid) or
-        (not refinement_tag_11_map_column));
       refinement_tag_11_map_column <= refinement_tag_10_map_column;
       refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
       refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
       refinement_cost_0 <= slice2_best_cost_0_0;
-      refinement_below_0 <= slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else slice2_best_below_0_0;
-      refinement_above_0 <= slice2_best_below_0_0 when slice2_best_index_0_0 = 47 else slice2_best_above_0_0;
       refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 4096;
       refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 4096;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 4096 when
-        (refinement_remainder_1_0_difference / 8192) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096 when
-        (refinement_remainder_2_0_difference / 8192) = 1 else (refinement_remainder_1_0 mod 2048) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096 when
-        (refinement_remainder_3_0_difference / 8192) = 1 else (refinement_remainder_2_0 mod 2048) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096 when
-        (refinement_remainder_4_0_difference / 8192) = 1 else (refinement_remainder_3_0 mod 2048) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096 when
-        (refinement_remainder_5_0_difference / 8192) = 1 else (refinement_remainder_4_0 mod 2048) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096 when
-        (refinement_remainder_6_0_difference / 8192) = 1 else (refinement_remainder_5_0 mod 2048) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096 when
-        (refinement_remainder_7_0_difference / 8192) = 1 else (refinement_remainder_6_0 mod 2048) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 12)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 12))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
@@ -9317,19 +12051,87 @@ begin
       refinement_negative_7_0 <= refinement_negative_6_0;
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
+      if refinement_tag_11_row_start_choice_3 then
+        refinement_tag_11_row_start <= refinement_tag_11_row_start or refinement_tag_11_row_start_all_2;
+      else
+        refinement_tag_11_row_start <= refinement_tag_11_row_start and ((not refinement_tag_11_valid) or (not
+          refinement_tag_11_map_column));
+      end if;
+      if slice2_best_index_0_0 = 0 then
+        refinement_below_0 <= slice2_best_above_0_0;
+      else
+        refinement_below_0 <= slice2_best_below_0_0;
+      end if;
+      if slice2_best_index_0_0 = 47 then
+        refinement_above_0 <= slice2_best_below_0_0;
+      else
+        refinement_above_0 <= slice2_best_above_0_0;
+      end if;
+      if (refinement_remainder_1_0_difference / 8192) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 4096;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_2_0_difference / 8192) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 8192) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 8192) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 8192) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 8192) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 8192) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 2048) * 2;
+      end if;
       -- map
       if refinement_tag_11_row_start_all_2 then
-        map_counter_column <= 0 when refinement_tag_11_start_of_frame or refinement_tag_11_row_start_is_equal else
-          (map_counter_column + 1) mod 512;
+        if refinement_tag_11_start_of_frame or refinement_tag_11_row_start_is_equal then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 512;
+        end if;
       end if;
-      map_counter_group_choice := 375 when refinement_tag_11_row_start_all else 0;
+      if refinement_tag_11_row_start_all then
+        map_counter_group_choice := 375;
+      else
+        map_counter_group_choice := 0;
+      end if;
       map_counter_group_is_equal := map_counter_group = 375;
-      map_counter_group_choice_2 := 1 when refinement_tag_11_row_start and map_counter_group_is_equal else
-        (map_counter_group + 1) mod 512;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when refinement_tag_11_row_start_differs and
-        refinement_tag_11_row_start_is_equal and refinement_tag_11_valid and refinement_tag_11_map_column else
-        map_counter_group;
-      map_line_ended_choice := refinement_tag_11_map_column when refinement_tag_11_valid else map_line_ended;
+      if refinement_tag_11_row_start and map_counter_group_is_equal then
+        map_counter_group_choice_2 := 1;
+      else
+        map_counter_group_choice_2 := (map_counter_group + 1) mod 512;
+      end if;
+      if refinement_tag_11_row_start_differs and refinement_tag_11_row_start_is_equal and refinement_tag_11_valid and
+        refinement_tag_11_map_column then
+        map_counter_group_choice_3 := map_counter_group_choice_2;
+      else
+        map_counter_group_choice_3 := map_counter_group;
+      end if;
+      if refinement_tag_11_valid then
+        map_line_ended_choice := refinement_tag_11_map_column;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_9(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
@@ -9341,8 +12143,16 @@ begin
       else
         map_of_column_0_c_choice := map_column_2 / 2;
       end if;
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
       if map_of_column_0_c_below_b then
         map_sorted_middle_0_choice := map_of_column_0_b;
       else
@@ -9364,30 +12174,76 @@ begin
         map_sorted_high_0_choice_2 := map_of_column_0_c;
       end if;
       map_window_complete_is_equal := map_sorted_column = 0;
-      map_window_complete_choice := map_sorted_behind when map_window_complete_is_equal else map_sorted_arrives or
-        map_sorted_behind;
-      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
-        map_median_middle_0_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_counter_group <= map_counter_group_choice when refinement_tag_11_start_of_frame and refinement_tag_11_valid
-        and refinement_tag_11_map_column else map_counter_group_choice_3;
+      if map_window_complete_is_equal then
+        map_window_complete_choice := map_sorted_behind;
+      else
+        map_window_complete_choice := map_sorted_arrives or map_sorted_behind;
+      end if;
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice := map_of_low_0_a;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice_2 := map_of_low_0_b;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_2 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_4 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
       map_counter_next_frame <= to_integer(other_9(40 downto 40)) = 1;
       map_newest_0 <= (((((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) + ((refinement_fraction_0
         mod 16) / 8) + 8191) mod 4096) * 8) + (refinement_fraction_0 mod 8)) * 2) + as_number(refinement_passed_11_0);
       map_arrives <= refinement_tag_11_row_start_all_2;
       map_behind <= map_line_ended and refinement_tag_11_valid;
-      map_line_ended <= map_line_ended_choice when refinement_tag_11_end_of_line else map_line_ended and (not
-        refinement_tag_11_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -9416,12 +12272,6 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
-        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
       map_window_complete <= map_sorted_output and map_window_complete_choice;
       map_window_first <= map_sorted_top and (map_sorted_column = 1) and map_sorted_arrives;
       map_window_last <= map_sorted_behind;
@@ -9443,10 +12293,6 @@ begin
       map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
-        map_median_middle_0_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
@@ -9465,30 +12311,91 @@ begin
       map_waiting_passed_0_0 <= map_passed_1_0;
       map_waiting_passed_1_0 <= map_waiting_passed_0_0;
       map_waiting_passed_2_0 <= map_waiting_passed_1_0;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if refinement_tag_11_start_of_frame and refinement_tag_11_valid and refinement_tag_11_map_column then
+        map_counter_group <= map_counter_group_choice;
+      else
+        map_counter_group <= map_counter_group_choice_3;
+      end if;
+      if refinement_tag_11_end_of_line then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= map_line_ended and (not refinement_tag_11_valid);
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_passed_0_0 then
+        map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind;
+      else
+        map_passed_1_0 <= map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      end if;
+      if map_of_low_0_b_below_a then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
         map_at_column <= to_integer(other_9(8 downto 0));
       end if;
-      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_0_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
       map_low_1_0_all := map_window_complete_is_equal and map_sorted_arrives;
-      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_0_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
       map_low_0_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_0_all then
         map_low_0_0 <= map_low_0_0_choice;
-        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
         map_middle_0_0 <= map_middle_0_0_choice;
-        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
         map_high_0_0 <= map_high_0_0_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
+        if map_low_1_0_all then
+          map_low_1_0 <= map_low_0_0_choice;
+          map_middle_1_0 <= map_middle_0_0_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+        else
+          map_low_1_0 <= map_low_0_0;
+          map_middle_1_0 <= map_middle_0_0;
+          map_high_1_0 <= map_high_0_0;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;

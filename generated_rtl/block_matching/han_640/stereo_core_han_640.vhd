@@ -1111,1286 +1111,2132 @@ architecture rtl of stereo_core_han_640 is
   signal slice5_best_index_0_0 : natural range 0 to 127;
   signal slice5_best_tag_valid, slice5_best_tag_output_column, slice5_best_tag_start_of_frame : boolean;
   signal slice5_best_tag_end_of_line : boolean;
+  signal slice5window_leaving_1_memory_read_enable : boolean;
+  signal slice5window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice5window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice5window_leaving_1_memory_write_data : unsigned(11 downto 0);
+  signal slice5window_leaving_0_memory_read_enable : boolean;
+  signal slice5window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice5window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice5window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice5cost_read_words_1_memory_read_enable : boolean;
+  signal slice5cost_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_1_memory_write_data : unsigned(11 downto 0);
+  signal slice5cost_read_words_0_memory_read_enable : boolean;
+  signal slice5cost_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal slice4window_leaving_12_memory_read_enable : boolean;
+  signal slice4window_leaving_12_memory_read_address : unsigned(3 downto 0);
+  signal slice4window_leaving_12_memory_write_address : unsigned(3 downto 0);
   signal slice4window_leaving_12_memory_write_data : unsigned(11 downto 0);
+  signal slice4window_leaving_11_memory_read_enable : boolean;
+  signal slice4window_leaving_11_memory_read_address : unsigned(3 downto 0);
+  signal slice4window_leaving_11_memory_write_address : unsigned(3 downto 0);
   signal slice4window_leaving_11_memory_write_data : unsigned(23 downto 0);
+  signal slice4window_leaving_10_memory_read_enable : boolean;
+  signal slice4window_leaving_10_memory_read_address : unsigned(3 downto 0);
+  signal slice4window_leaving_10_memory_write_address : unsigned(3 downto 0);
   signal slice4window_leaving_10_memory_write_data : unsigned(23 downto 0);
+  signal slice4window_leaving_9_memory_read_enable : boolean;
+  signal slice4window_leaving_9_memory_read_address : unsigned(3 downto 0);
+  signal slice4window_leaving_9_memory_write_address : unsigned(3 downto 0);
   signal slice4window_leaving_9_memory_write_data : unsigned(23 downto 0);
+  signal slice4window_leaving_8_memory_read_enable : boolean;
+  signal slice4window_leaving_8_memory_read_address : unsigned(3 downto 0);
+  signal slice4window_leaving_8_memory_write_address : unsigned(3 downto 0);
   signal slice4window_leaving_8_memory_write_data : unsigned(23 downto 0);
+  signal slice4window_leaving_7_memory_read_enable : boolean;
+  signal slice4window_leaving_7_memory_read_address : unsigned(3 downto 0);
+  signal slice4window_leaving_7_memory_write_address : unsigned(3 downto 0);
   signal slice4window_leaving_7_memory_write_data : unsigned(23 downto 0);
+  signal slice4window_leaving_6_memory_read_enable : boolean;
+  signal slice4window_leaving_6_memory_read_address : unsigned(3 downto 0);
+  signal slice4window_leaving_6_memory_write_address : unsigned(3 downto 0);
   signal slice4window_leaving_6_memory_write_data : unsigned(23 downto 0);
+  signal slice4window_leaving_5_memory_read_enable : boolean;
+  signal slice4window_leaving_5_memory_read_address : unsigned(3 downto 0);
+  signal slice4window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice4window_leaving_5_memory_write_data : unsigned(23 downto 0);
+  signal slice4window_leaving_4_memory_read_enable : boolean;
+  signal slice4window_leaving_4_memory_read_address : unsigned(3 downto 0);
+  signal slice4window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice4window_leaving_4_memory_write_data : unsigned(23 downto 0);
+  signal slice4window_leaving_3_memory_read_enable : boolean;
+  signal slice4window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice4window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice4window_leaving_3_memory_write_data : unsigned(23 downto 0);
+  signal slice4window_leaving_2_memory_read_enable : boolean;
+  signal slice4window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice4window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice4window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice4window_leaving_1_memory_read_enable : boolean;
+  signal slice4window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice4window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice4window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice4window_leaving_0_memory_read_enable : boolean;
+  signal slice4window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice4window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice4window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice4cost_read_words_12_memory_read_enable : boolean;
+  signal slice4cost_read_words_12_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_12_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_12_memory_write_data : unsigned(11 downto 0);
+  signal slice4cost_read_words_11_memory_read_enable : boolean;
+  signal slice4cost_read_words_11_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_11_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_11_memory_write_data : unsigned(23 downto 0);
+  signal slice4cost_read_words_10_memory_read_enable : boolean;
+  signal slice4cost_read_words_10_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_10_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_10_memory_write_data : unsigned(23 downto 0);
+  signal slice4cost_read_words_9_memory_read_enable : boolean;
+  signal slice4cost_read_words_9_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_9_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_9_memory_write_data : unsigned(23 downto 0);
+  signal slice4cost_read_words_8_memory_read_enable : boolean;
+  signal slice4cost_read_words_8_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_8_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_8_memory_write_data : unsigned(23 downto 0);
+  signal slice4cost_read_words_7_memory_read_enable : boolean;
+  signal slice4cost_read_words_7_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_7_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_7_memory_write_data : unsigned(23 downto 0);
+  signal slice4cost_read_words_6_memory_read_enable : boolean;
+  signal slice4cost_read_words_6_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_6_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_6_memory_write_data : unsigned(23 downto 0);
+  signal slice4cost_read_words_5_memory_read_enable : boolean;
+  signal slice4cost_read_words_5_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_5_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_5_memory_write_data : unsigned(23 downto 0);
+  signal slice4cost_read_words_4_memory_read_enable : boolean;
+  signal slice4cost_read_words_4_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_4_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_4_memory_write_data : unsigned(23 downto 0);
+  signal slice4cost_read_words_3_memory_read_enable : boolean;
+  signal slice4cost_read_words_3_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_3_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal slice4cost_read_words_2_memory_read_enable : boolean;
+  signal slice4cost_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal slice4cost_read_words_1_memory_read_enable : boolean;
+  signal slice4cost_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal slice4cost_read_words_0_memory_read_enable : boolean;
+  signal slice4cost_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_12_memory_read_enable : boolean;
+  signal slice3window_leaving_12_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_12_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_12_memory_write_data : unsigned(11 downto 0);
+  signal slice3window_leaving_11_memory_read_enable : boolean;
+  signal slice3window_leaving_11_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_11_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_11_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_10_memory_read_enable : boolean;
+  signal slice3window_leaving_10_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_10_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_10_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_9_memory_read_enable : boolean;
+  signal slice3window_leaving_9_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_9_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_9_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_8_memory_read_enable : boolean;
+  signal slice3window_leaving_8_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_8_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_8_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_7_memory_read_enable : boolean;
+  signal slice3window_leaving_7_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_7_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_7_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_6_memory_read_enable : boolean;
+  signal slice3window_leaving_6_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_6_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_6_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_5_memory_read_enable : boolean;
+  signal slice3window_leaving_5_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_5_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_4_memory_read_enable : boolean;
+  signal slice3window_leaving_4_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_4_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_3_memory_read_enable : boolean;
+  signal slice3window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_3_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_2_memory_read_enable : boolean;
+  signal slice3window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_1_memory_read_enable : boolean;
+  signal slice3window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_0_memory_read_enable : boolean;
+  signal slice3window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_12_memory_read_enable : boolean;
+  signal slice3cost_read_words_12_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_12_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_12_memory_write_data : unsigned(11 downto 0);
+  signal slice3cost_read_words_11_memory_read_enable : boolean;
+  signal slice3cost_read_words_11_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_11_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_11_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_10_memory_read_enable : boolean;
+  signal slice3cost_read_words_10_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_10_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_10_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_9_memory_read_enable : boolean;
+  signal slice3cost_read_words_9_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_9_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_9_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_8_memory_read_enable : boolean;
+  signal slice3cost_read_words_8_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_8_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_8_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_7_memory_read_enable : boolean;
+  signal slice3cost_read_words_7_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_7_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_7_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_6_memory_read_enable : boolean;
+  signal slice3cost_read_words_6_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_6_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_6_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_5_memory_read_enable : boolean;
+  signal slice3cost_read_words_5_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_5_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_5_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_4_memory_read_enable : boolean;
+  signal slice3cost_read_words_4_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_4_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_4_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_3_memory_read_enable : boolean;
+  signal slice3cost_read_words_3_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_3_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_2_memory_read_enable : boolean;
+  signal slice3cost_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_1_memory_read_enable : boolean;
+  signal slice3cost_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_0_memory_read_enable : boolean;
+  signal slice3cost_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_12_memory_read_enable : boolean;
+  signal slice2window_leaving_12_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_12_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_12_memory_write_data : unsigned(11 downto 0);
+  signal slice2window_leaving_11_memory_read_enable : boolean;
+  signal slice2window_leaving_11_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_11_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_11_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_10_memory_read_enable : boolean;
+  signal slice2window_leaving_10_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_10_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_10_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_9_memory_read_enable : boolean;
+  signal slice2window_leaving_9_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_9_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_9_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_8_memory_read_enable : boolean;
+  signal slice2window_leaving_8_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_8_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_8_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_7_memory_read_enable : boolean;
+  signal slice2window_leaving_7_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_7_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_7_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_6_memory_read_enable : boolean;
+  signal slice2window_leaving_6_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_6_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_6_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_5_memory_read_enable : boolean;
+  signal slice2window_leaving_5_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_5_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_4_memory_read_enable : boolean;
+  signal slice2window_leaving_4_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_4_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_3_memory_read_enable : boolean;
+  signal slice2window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_3_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_2_memory_read_enable : boolean;
+  signal slice2window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_1_memory_read_enable : boolean;
+  signal slice2window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_0_memory_read_enable : boolean;
+  signal slice2window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_12_memory_read_enable : boolean;
+  signal slice2cost_read_words_12_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_12_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_12_memory_write_data : unsigned(11 downto 0);
+  signal slice2cost_read_words_11_memory_read_enable : boolean;
+  signal slice2cost_read_words_11_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_11_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_11_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_10_memory_read_enable : boolean;
+  signal slice2cost_read_words_10_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_10_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_10_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_9_memory_read_enable : boolean;
+  signal slice2cost_read_words_9_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_9_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_9_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_8_memory_read_enable : boolean;
+  signal slice2cost_read_words_8_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_8_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_8_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_7_memory_read_enable : boolean;
+  signal slice2cost_read_words_7_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_7_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_7_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_6_memory_read_enable : boolean;
+  signal slice2cost_read_words_6_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_6_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_6_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_5_memory_read_enable : boolean;
+  signal slice2cost_read_words_5_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_5_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_5_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_4_memory_read_enable : boolean;
+  signal slice2cost_read_words_4_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_4_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_4_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_3_memory_read_enable : boolean;
+  signal slice2cost_read_words_3_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_3_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_2_memory_read_enable : boolean;
+  signal slice2cost_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_1_memory_read_enable : boolean;
+  signal slice2cost_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_0_memory_read_enable : boolean;
+  signal slice2cost_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_12_memory_read_enable : boolean;
+  signal slice1window_leaving_12_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_12_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_12_memory_write_data : unsigned(11 downto 0);
+  signal slice1window_leaving_11_memory_read_enable : boolean;
+  signal slice1window_leaving_11_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_11_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_11_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_10_memory_read_enable : boolean;
+  signal slice1window_leaving_10_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_10_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_10_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_9_memory_read_enable : boolean;
+  signal slice1window_leaving_9_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_9_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_9_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_8_memory_read_enable : boolean;
+  signal slice1window_leaving_8_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_8_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_8_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_7_memory_read_enable : boolean;
+  signal slice1window_leaving_7_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_7_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_7_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_6_memory_read_enable : boolean;
+  signal slice1window_leaving_6_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_6_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_6_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_5_memory_read_enable : boolean;
+  signal slice1window_leaving_5_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_5_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_4_memory_read_enable : boolean;
+  signal slice1window_leaving_4_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_4_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_3_memory_read_enable : boolean;
+  signal slice1window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_3_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_2_memory_read_enable : boolean;
+  signal slice1window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_1_memory_read_enable : boolean;
+  signal slice1window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_0_memory_read_enable : boolean;
+  signal slice1window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_12_memory_read_enable : boolean;
+  signal slice1cost_read_words_12_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_12_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_12_memory_write_data : unsigned(11 downto 0);
+  signal slice1cost_read_words_11_memory_read_enable : boolean;
+  signal slice1cost_read_words_11_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_11_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_11_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_10_memory_read_enable : boolean;
+  signal slice1cost_read_words_10_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_10_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_10_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_9_memory_read_enable : boolean;
+  signal slice1cost_read_words_9_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_9_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_9_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_8_memory_read_enable : boolean;
+  signal slice1cost_read_words_8_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_8_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_8_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_7_memory_read_enable : boolean;
+  signal slice1cost_read_words_7_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_7_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_7_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_6_memory_read_enable : boolean;
+  signal slice1cost_read_words_6_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_6_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_6_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_5_memory_read_enable : boolean;
+  signal slice1cost_read_words_5_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_5_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_5_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_4_memory_read_enable : boolean;
+  signal slice1cost_read_words_4_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_4_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_4_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_3_memory_read_enable : boolean;
+  signal slice1cost_read_words_3_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_3_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_2_memory_read_enable : boolean;
+  signal slice1cost_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_1_memory_read_enable : boolean;
+  signal slice1cost_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_0_memory_read_enable : boolean;
+  signal slice1cost_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_12_memory_read_enable : boolean;
+  signal slice0window_leaving_12_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_12_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_12_memory_write_data : unsigned(11 downto 0);
+  signal slice0window_leaving_11_memory_read_enable : boolean;
+  signal slice0window_leaving_11_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_11_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_11_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_10_memory_read_enable : boolean;
+  signal slice0window_leaving_10_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_10_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_10_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_9_memory_read_enable : boolean;
+  signal slice0window_leaving_9_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_9_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_9_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_8_memory_read_enable : boolean;
+  signal slice0window_leaving_8_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_8_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_8_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_7_memory_read_enable : boolean;
+  signal slice0window_leaving_7_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_7_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_7_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_6_memory_read_enable : boolean;
+  signal slice0window_leaving_6_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_6_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_6_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_5_memory_read_enable : boolean;
+  signal slice0window_leaving_5_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_5_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_4_memory_read_enable : boolean;
+  signal slice0window_leaving_4_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_4_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_3_memory_read_enable : boolean;
+  signal slice0window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_3_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_2_memory_read_enable : boolean;
+  signal slice0window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_1_memory_read_enable : boolean;
+  signal slice0window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_0_memory_read_enable : boolean;
+  signal slice0window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_12_memory_read_enable : boolean;
+  signal slice0cost_read_words_12_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_12_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_12_memory_write_data : unsigned(11 downto 0);
+  signal slice0cost_read_words_11_memory_read_enable : boolean;
+  signal slice0cost_read_words_11_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_11_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_11_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_10_memory_read_enable : boolean;
+  signal slice0cost_read_words_10_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_10_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_10_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_9_memory_read_enable : boolean;
+  signal slice0cost_read_words_9_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_9_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_9_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_8_memory_read_enable : boolean;
+  signal slice0cost_read_words_8_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_8_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_8_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_7_memory_read_enable : boolean;
+  signal slice0cost_read_words_7_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_7_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_7_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_6_memory_read_enable : boolean;
+  signal slice0cost_read_words_6_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_6_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_6_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_5_memory_read_enable : boolean;
+  signal slice0cost_read_words_5_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_5_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_5_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_4_memory_read_enable : boolean;
+  signal slice0cost_read_words_4_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_4_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_4_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_3_memory_read_enable : boolean;
+  signal slice0cost_read_words_3_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_3_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_2_memory_read_enable : boolean;
+  signal slice0cost_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_1_memory_read_enable : boolean;
+  signal slice0cost_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_0_memory_read_enable : boolean;
+  signal slice0cost_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal rows_search_rows_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal rows_search_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal rows_reference_rows_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal rows_reference_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(6 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(6 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(slice5_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(1, 1));
   disparity_valid <= as_bit(slice5_best_tag_valid and slice5_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice5_best_tag_start_of_frame and slice5_best_tag_valid and slice5_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice5_best_tag_end_of_line and slice5_best_tag_valid and slice5_best_tag_output_column);
 
+  slice5window_leaving_1_memory_read_enable <= true;
+  slice5window_leaving_1_memory_read_address <= to_unsigned(slice5window_ring_read_address, 4);
+  slice5window_leaving_1_memory_write_address <= to_unsigned(slice5window_ring_write_address, 4);
   slice5window_leaving_1_memory_write_data <= to_unsigned(slice5cost_column_0_2, 12);
   slice5window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 12)
+    generic map (depth => 10, width => 12, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_1,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_1_memory_read_enable,
+      read_address => slice5window_leaving_1_memory_read_address, read_data => slice5window_leaving_1,
+      write_address => slice5window_leaving_1_memory_write_address, write_data => slice5window_leaving_1_memory_write_data);
 
+  slice5window_leaving_0_memory_read_enable <= true;
+  slice5window_leaving_0_memory_read_address <= to_unsigned(slice5window_ring_read_address, 4);
+  slice5window_leaving_0_memory_write_address <= to_unsigned(slice5window_ring_write_address, 4);
   slice5window_leaving_0_memory_write_data <= to_unsigned(slice5cost_column_0_1, 12) & to_unsigned(slice5cost_column_0_0, 12);
   slice5window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_0,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_0_memory_read_enable,
+      read_address => slice5window_leaving_0_memory_read_address, read_data => slice5window_leaving_0,
+      write_address => slice5window_leaving_0_memory_write_address, write_data => slice5window_leaving_0_memory_write_data);
 
+  slice5cost_read_words_1_memory_read_enable <= true;
+  slice5cost_read_words_1_memory_read_address <= to_unsigned(slice3cost_ready_column, 10);
+  slice5cost_read_words_1_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_1_memory_write_data <= to_unsigned(slice5cost_write_words_1, 12);
   slice5cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 12)
+    generic map (depth => 640, width => 12, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_ready_column, read_data => slice5cost_read_words_1,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_1_memory_read_enable,
+      read_address => slice5cost_read_words_1_memory_read_address, read_data => slice5cost_read_words_1,
+      write_address => slice5cost_read_words_1_memory_write_address, write_data => slice5cost_read_words_1_memory_write_data);
 
+  slice5cost_read_words_0_memory_read_enable <= true;
+  slice5cost_read_words_0_memory_read_address <= to_unsigned(slice3cost_ready_column, 10);
+  slice5cost_read_words_0_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_0_memory_write_data <= to_unsigned(slice5cost_write_words_0, 24);
   slice5cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_ready_column, read_data => slice5cost_read_words_0,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_0_memory_read_enable,
+      read_address => slice5cost_read_words_0_memory_read_address, read_data => slice5cost_read_words_0,
+      write_address => slice5cost_read_words_0_memory_write_address, write_data => slice5cost_read_words_0_memory_write_data);
 
+  slice4window_leaving_12_memory_read_enable <= true;
+  slice4window_leaving_12_memory_read_address <= to_unsigned(slice4window_ring_read_address, 4);
+  slice4window_leaving_12_memory_write_address <= to_unsigned(slice4window_ring_write_address, 4);
   slice4window_leaving_12_memory_write_data <= to_unsigned(slice4cost_column_0_24, 12);
   slice4window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 10, width => 12)
+    generic map (depth => 10, width => 12, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_12,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_12_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_12_memory_read_enable,
+      read_address => slice4window_leaving_12_memory_read_address, read_data => slice4window_leaving_12,
+      write_address => slice4window_leaving_12_memory_write_address, write_data => slice4window_leaving_12_memory_write_data);
 
+  slice4window_leaving_11_memory_read_enable <= true;
+  slice4window_leaving_11_memory_read_address <= to_unsigned(slice4window_ring_read_address, 4);
+  slice4window_leaving_11_memory_write_address <= to_unsigned(slice4window_ring_write_address, 4);
   slice4window_leaving_11_memory_write_data <= to_unsigned(slice4cost_column_0_23, 12) & to_unsigned(slice4cost_column_0_22, 12);
   slice4window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_11,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_11_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_11_memory_read_enable,
+      read_address => slice4window_leaving_11_memory_read_address, read_data => slice4window_leaving_11,
+      write_address => slice4window_leaving_11_memory_write_address, write_data => slice4window_leaving_11_memory_write_data);
 
+  slice4window_leaving_10_memory_read_enable <= true;
+  slice4window_leaving_10_memory_read_address <= to_unsigned(slice4window_ring_read_address, 4);
+  slice4window_leaving_10_memory_write_address <= to_unsigned(slice4window_ring_write_address, 4);
   slice4window_leaving_10_memory_write_data <= to_unsigned(slice4cost_column_0_21, 12) & to_unsigned(slice4cost_column_0_20, 12);
   slice4window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_10,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_10_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_10_memory_read_enable,
+      read_address => slice4window_leaving_10_memory_read_address, read_data => slice4window_leaving_10,
+      write_address => slice4window_leaving_10_memory_write_address, write_data => slice4window_leaving_10_memory_write_data);
 
+  slice4window_leaving_9_memory_read_enable <= true;
+  slice4window_leaving_9_memory_read_address <= to_unsigned(slice4window_ring_read_address, 4);
+  slice4window_leaving_9_memory_write_address <= to_unsigned(slice4window_ring_write_address, 4);
   slice4window_leaving_9_memory_write_data <= to_unsigned(slice4cost_column_0_19, 12) & to_unsigned(slice4cost_column_0_18, 12);
   slice4window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_9,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_9_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_9_memory_read_enable,
+      read_address => slice4window_leaving_9_memory_read_address, read_data => slice4window_leaving_9,
+      write_address => slice4window_leaving_9_memory_write_address, write_data => slice4window_leaving_9_memory_write_data);
 
+  slice4window_leaving_8_memory_read_enable <= true;
+  slice4window_leaving_8_memory_read_address <= to_unsigned(slice4window_ring_read_address, 4);
+  slice4window_leaving_8_memory_write_address <= to_unsigned(slice4window_ring_write_address, 4);
   slice4window_leaving_8_memory_write_data <= to_unsigned(slice4cost_column_0_17, 12) & to_unsigned(slice4cost_column_0_16, 12);
   slice4window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_8,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_8_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_8_memory_read_enable,
+      read_address => slice4window_leaving_8_memory_read_address, read_data => slice4window_leaving_8,
+      write_address => slice4window_leaving_8_memory_write_address, write_data => slice4window_leaving_8_memory_write_data);
 
+  slice4window_leaving_7_memory_read_enable <= true;
+  slice4window_leaving_7_memory_read_address <= to_unsigned(slice4window_ring_read_address, 4);
+  slice4window_leaving_7_memory_write_address <= to_unsigned(slice4window_ring_write_address, 4);
   slice4window_leaving_7_memory_write_data <= to_unsigned(slice4cost_column_0_15, 12) & to_unsigned(slice4cost_column_0_14, 12);
   slice4window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_7,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_7_memory_read_enable,
+      read_address => slice4window_leaving_7_memory_read_address, read_data => slice4window_leaving_7,
+      write_address => slice4window_leaving_7_memory_write_address, write_data => slice4window_leaving_7_memory_write_data);
 
+  slice4window_leaving_6_memory_read_enable <= true;
+  slice4window_leaving_6_memory_read_address <= to_unsigned(slice4window_ring_read_address, 4);
+  slice4window_leaving_6_memory_write_address <= to_unsigned(slice4window_ring_write_address, 4);
   slice4window_leaving_6_memory_write_data <= to_unsigned(slice4cost_column_0_13, 12) & to_unsigned(slice4cost_column_0_12, 12);
   slice4window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_6,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_6_memory_read_enable,
+      read_address => slice4window_leaving_6_memory_read_address, read_data => slice4window_leaving_6,
+      write_address => slice4window_leaving_6_memory_write_address, write_data => slice4window_leaving_6_memory_write_data);
 
+  slice4window_leaving_5_memory_read_enable <= true;
+  slice4window_leaving_5_memory_read_address <= to_unsigned(slice4window_ring_read_address, 4);
+  slice4window_leaving_5_memory_write_address <= to_unsigned(slice4window_ring_write_address, 4);
   slice4window_leaving_5_memory_write_data <= to_unsigned(slice4cost_column_0_11, 12) & to_unsigned(slice4cost_column_0_10, 12);
   slice4window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_5,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_5_memory_read_enable,
+      read_address => slice4window_leaving_5_memory_read_address, read_data => slice4window_leaving_5,
+      write_address => slice4window_leaving_5_memory_write_address, write_data => slice4window_leaving_5_memory_write_data);
 
+  slice4window_leaving_4_memory_read_enable <= true;
+  slice4window_leaving_4_memory_read_address <= to_unsigned(slice4window_ring_read_address, 4);
+  slice4window_leaving_4_memory_write_address <= to_unsigned(slice4window_ring_write_address, 4);
   slice4window_leaving_4_memory_write_data <= to_unsigned(slice4cost_column_0_9, 12) & to_unsigned(slice4cost_column_0_8, 12);
   slice4window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_4,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_4_memory_read_enable,
+      read_address => slice4window_leaving_4_memory_read_address, read_data => slice4window_leaving_4,
+      write_address => slice4window_leaving_4_memory_write_address, write_data => slice4window_leaving_4_memory_write_data);
 
+  slice4window_leaving_3_memory_read_enable <= true;
+  slice4window_leaving_3_memory_read_address <= to_unsigned(slice4window_ring_read_address, 4);
+  slice4window_leaving_3_memory_write_address <= to_unsigned(slice4window_ring_write_address, 4);
   slice4window_leaving_3_memory_write_data <= to_unsigned(slice4cost_column_0_7, 12) & to_unsigned(slice4cost_column_0_6, 12);
   slice4window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_3,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_3_memory_read_enable,
+      read_address => slice4window_leaving_3_memory_read_address, read_data => slice4window_leaving_3,
+      write_address => slice4window_leaving_3_memory_write_address, write_data => slice4window_leaving_3_memory_write_data);
 
+  slice4window_leaving_2_memory_read_enable <= true;
+  slice4window_leaving_2_memory_read_address <= to_unsigned(slice4window_ring_read_address, 4);
+  slice4window_leaving_2_memory_write_address <= to_unsigned(slice4window_ring_write_address, 4);
   slice4window_leaving_2_memory_write_data <= to_unsigned(slice4cost_column_0_5, 12) & to_unsigned(slice4cost_column_0_4, 12);
   slice4window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_2,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_2_memory_read_enable,
+      read_address => slice4window_leaving_2_memory_read_address, read_data => slice4window_leaving_2,
+      write_address => slice4window_leaving_2_memory_write_address, write_data => slice4window_leaving_2_memory_write_data);
 
+  slice4window_leaving_1_memory_read_enable <= true;
+  slice4window_leaving_1_memory_read_address <= to_unsigned(slice4window_ring_read_address, 4);
+  slice4window_leaving_1_memory_write_address <= to_unsigned(slice4window_ring_write_address, 4);
   slice4window_leaving_1_memory_write_data <= to_unsigned(slice4cost_column_0_3, 12) & to_unsigned(slice4cost_column_0_2, 12);
   slice4window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_1,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_1_memory_read_enable,
+      read_address => slice4window_leaving_1_memory_read_address, read_data => slice4window_leaving_1,
+      write_address => slice4window_leaving_1_memory_write_address, write_data => slice4window_leaving_1_memory_write_data);
 
+  slice4window_leaving_0_memory_read_enable <= true;
+  slice4window_leaving_0_memory_read_address <= to_unsigned(slice4window_ring_read_address, 4);
+  slice4window_leaving_0_memory_write_address <= to_unsigned(slice4window_ring_write_address, 4);
   slice4window_leaving_0_memory_write_data <= to_unsigned(slice4cost_column_0_1, 12) & to_unsigned(slice4cost_column_0_0, 12);
   slice4window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_0,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_0_memory_read_enable,
+      read_address => slice4window_leaving_0_memory_read_address, read_data => slice4window_leaving_0,
+      write_address => slice4window_leaving_0_memory_write_address, write_data => slice4window_leaving_0_memory_write_data);
 
+  slice4cost_read_words_12_memory_read_enable <= true;
+  slice4cost_read_words_12_memory_read_address <= to_unsigned(slice3cost_change_column, 10);
+  slice4cost_read_words_12_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_12_memory_write_data <= to_unsigned(slice4cost_write_words_12, 12);
   slice4cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 640, width => 12)
+    generic map (depth => 640, width => 12, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_change_column, read_data => slice4cost_read_words_12,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_12_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_12_memory_read_enable,
+      read_address => slice4cost_read_words_12_memory_read_address, read_data => slice4cost_read_words_12,
+      write_address => slice4cost_read_words_12_memory_write_address, write_data => slice4cost_read_words_12_memory_write_data);
 
+  slice4cost_read_words_11_memory_read_enable <= true;
+  slice4cost_read_words_11_memory_read_address <= to_unsigned(slice3cost_change_column, 10);
+  slice4cost_read_words_11_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_11_memory_write_data <= to_unsigned(slice4cost_write_words_11, 24);
   slice4cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_change_column, read_data => slice4cost_read_words_11,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_11_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_11_memory_read_enable,
+      read_address => slice4cost_read_words_11_memory_read_address, read_data => slice4cost_read_words_11,
+      write_address => slice4cost_read_words_11_memory_write_address, write_data => slice4cost_read_words_11_memory_write_data);
 
+  slice4cost_read_words_10_memory_read_enable <= true;
+  slice4cost_read_words_10_memory_read_address <= to_unsigned(slice3cost_change_column, 10);
+  slice4cost_read_words_10_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_10_memory_write_data <= to_unsigned(slice4cost_write_words_10, 24);
   slice4cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_change_column, read_data => slice4cost_read_words_10,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_10_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_10_memory_read_enable,
+      read_address => slice4cost_read_words_10_memory_read_address, read_data => slice4cost_read_words_10,
+      write_address => slice4cost_read_words_10_memory_write_address, write_data => slice4cost_read_words_10_memory_write_data);
 
+  slice4cost_read_words_9_memory_read_enable <= true;
+  slice4cost_read_words_9_memory_read_address <= to_unsigned(slice3cost_change_column, 10);
+  slice4cost_read_words_9_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_9_memory_write_data <= to_unsigned(slice4cost_write_words_9, 24);
   slice4cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_change_column, read_data => slice4cost_read_words_9,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_9_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_9_memory_read_enable,
+      read_address => slice4cost_read_words_9_memory_read_address, read_data => slice4cost_read_words_9,
+      write_address => slice4cost_read_words_9_memory_write_address, write_data => slice4cost_read_words_9_memory_write_data);
 
+  slice4cost_read_words_8_memory_read_enable <= true;
+  slice4cost_read_words_8_memory_read_address <= to_unsigned(slice3cost_change_column, 10);
+  slice4cost_read_words_8_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_8_memory_write_data <= to_unsigned(slice4cost_write_words_8, 24);
   slice4cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_change_column, read_data => slice4cost_read_words_8,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_8_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_8_memory_read_enable,
+      read_address => slice4cost_read_words_8_memory_read_address, read_data => slice4cost_read_words_8,
+      write_address => slice4cost_read_words_8_memory_write_address, write_data => slice4cost_read_words_8_memory_write_data);
 
+  slice4cost_read_words_7_memory_read_enable <= true;
+  slice4cost_read_words_7_memory_read_address <= to_unsigned(slice3cost_change_column, 10);
+  slice4cost_read_words_7_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_7_memory_write_data <= to_unsigned(slice4cost_write_words_7, 24);
   slice4cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_change_column, read_data => slice4cost_read_words_7,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_7_memory_read_enable,
+      read_address => slice4cost_read_words_7_memory_read_address, read_data => slice4cost_read_words_7,
+      write_address => slice4cost_read_words_7_memory_write_address, write_data => slice4cost_read_words_7_memory_write_data);
 
+  slice4cost_read_words_6_memory_read_enable <= true;
+  slice4cost_read_words_6_memory_read_address <= to_unsigned(slice3cost_change_column, 10);
+  slice4cost_read_words_6_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_6_memory_write_data <= to_unsigned(slice4cost_write_words_6, 24);
   slice4cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_change_column, read_data => slice4cost_read_words_6,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_6_memory_read_enable,
+      read_address => slice4cost_read_words_6_memory_read_address, read_data => slice4cost_read_words_6,
+      write_address => slice4cost_read_words_6_memory_write_address, write_data => slice4cost_read_words_6_memory_write_data);
 
+  slice4cost_read_words_5_memory_read_enable <= true;
+  slice4cost_read_words_5_memory_read_address <= to_unsigned(slice3cost_change_column, 10);
+  slice4cost_read_words_5_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_5_memory_write_data <= to_unsigned(slice4cost_write_words_5, 24);
   slice4cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_change_column, read_data => slice4cost_read_words_5,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_5_memory_read_enable,
+      read_address => slice4cost_read_words_5_memory_read_address, read_data => slice4cost_read_words_5,
+      write_address => slice4cost_read_words_5_memory_write_address, write_data => slice4cost_read_words_5_memory_write_data);
 
+  slice4cost_read_words_4_memory_read_enable <= true;
+  slice4cost_read_words_4_memory_read_address <= to_unsigned(slice3cost_change_column, 10);
+  slice4cost_read_words_4_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_4_memory_write_data <= to_unsigned(slice4cost_write_words_4, 24);
   slice4cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_change_column, read_data => slice4cost_read_words_4,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_4_memory_read_enable,
+      read_address => slice4cost_read_words_4_memory_read_address, read_data => slice4cost_read_words_4,
+      write_address => slice4cost_read_words_4_memory_write_address, write_data => slice4cost_read_words_4_memory_write_data);
 
+  slice4cost_read_words_3_memory_read_enable <= true;
+  slice4cost_read_words_3_memory_read_address <= to_unsigned(slice3cost_change_column, 10);
+  slice4cost_read_words_3_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_3_memory_write_data <= to_unsigned(slice4cost_write_words_3, 24);
   slice4cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_change_column, read_data => slice4cost_read_words_3,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_3_memory_read_enable,
+      read_address => slice4cost_read_words_3_memory_read_address, read_data => slice4cost_read_words_3,
+      write_address => slice4cost_read_words_3_memory_write_address, write_data => slice4cost_read_words_3_memory_write_data);
 
+  slice4cost_read_words_2_memory_read_enable <= true;
+  slice4cost_read_words_2_memory_read_address <= to_unsigned(slice3cost_change_column, 10);
+  slice4cost_read_words_2_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_2_memory_write_data <= to_unsigned(slice4cost_write_words_2, 24);
   slice4cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_change_column, read_data => slice4cost_read_words_2,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_2_memory_read_enable,
+      read_address => slice4cost_read_words_2_memory_read_address, read_data => slice4cost_read_words_2,
+      write_address => slice4cost_read_words_2_memory_write_address, write_data => slice4cost_read_words_2_memory_write_data);
 
+  slice4cost_read_words_1_memory_read_enable <= true;
+  slice4cost_read_words_1_memory_read_address <= to_unsigned(slice3cost_change_column, 10);
+  slice4cost_read_words_1_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_1_memory_write_data <= to_unsigned(slice4cost_write_words_1, 24);
   slice4cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_change_column, read_data => slice4cost_read_words_1,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_1_memory_read_enable,
+      read_address => slice4cost_read_words_1_memory_read_address, read_data => slice4cost_read_words_1,
+      write_address => slice4cost_read_words_1_memory_write_address, write_data => slice4cost_read_words_1_memory_write_data);
 
+  slice4cost_read_words_0_memory_read_enable <= true;
+  slice4cost_read_words_0_memory_read_address <= to_unsigned(slice3cost_change_column, 10);
+  slice4cost_read_words_0_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_0_memory_write_data <= to_unsigned(slice4cost_write_words_0, 24);
   slice4cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_change_column, read_data => slice4cost_read_words_0,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_0_memory_read_enable,
+      read_address => slice4cost_read_words_0_memory_read_address, read_data => slice4cost_read_words_0,
+      write_address => slice4cost_read_words_0_memory_write_address, write_data => slice4cost_read_words_0_memory_write_data);
 
+  slice3window_leaving_12_memory_read_enable <= true;
+  slice3window_leaving_12_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_12_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_12_memory_write_data <= to_unsigned(slice3cost_column_0_24, 12);
   slice3window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 10, width => 12)
+    generic map (depth => 10, width => 12, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_12,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_12_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_12_memory_read_enable,
+      read_address => slice3window_leaving_12_memory_read_address, read_data => slice3window_leaving_12,
+      write_address => slice3window_leaving_12_memory_write_address, write_data => slice3window_leaving_12_memory_write_data);
 
+  slice3window_leaving_11_memory_read_enable <= true;
+  slice3window_leaving_11_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_11_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_11_memory_write_data <= to_unsigned(slice3cost_column_0_23, 12) & to_unsigned(slice3cost_column_0_22, 12);
   slice3window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_11,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_11_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_11_memory_read_enable,
+      read_address => slice3window_leaving_11_memory_read_address, read_data => slice3window_leaving_11,
+      write_address => slice3window_leaving_11_memory_write_address, write_data => slice3window_leaving_11_memory_write_data);
 
+  slice3window_leaving_10_memory_read_enable <= true;
+  slice3window_leaving_10_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_10_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_10_memory_write_data <= to_unsigned(slice3cost_column_0_21, 12) & to_unsigned(slice3cost_column_0_20, 12);
   slice3window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_10,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_10_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_10_memory_read_enable,
+      read_address => slice3window_leaving_10_memory_read_address, read_data => slice3window_leaving_10,
+      write_address => slice3window_leaving_10_memory_write_address, write_data => slice3window_leaving_10_memory_write_data);
 
+  slice3window_leaving_9_memory_read_enable <= true;
+  slice3window_leaving_9_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_9_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_9_memory_write_data <= to_unsigned(slice3cost_column_0_19, 12) & to_unsigned(slice3cost_column_0_18, 12);
   slice3window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_9,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_9_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_9_memory_read_enable,
+      read_address => slice3window_leaving_9_memory_read_address, read_data => slice3window_leaving_9,
+      write_address => slice3window_leaving_9_memory_write_address, write_data => slice3window_leaving_9_memory_write_data);
 
+  slice3window_leaving_8_memory_read_enable <= true;
+  slice3window_leaving_8_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_8_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_8_memory_write_data <= to_unsigned(slice3cost_column_0_17, 12) & to_unsigned(slice3cost_column_0_16, 12);
   slice3window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_8,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_8_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_8_memory_read_enable,
+      read_address => slice3window_leaving_8_memory_read_address, read_data => slice3window_leaving_8,
+      write_address => slice3window_leaving_8_memory_write_address, write_data => slice3window_leaving_8_memory_write_data);
 
+  slice3window_leaving_7_memory_read_enable <= true;
+  slice3window_leaving_7_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_7_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_7_memory_write_data <= to_unsigned(slice3cost_column_0_15, 12) & to_unsigned(slice3cost_column_0_14, 12);
   slice3window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_7,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_7_memory_read_enable,
+      read_address => slice3window_leaving_7_memory_read_address, read_data => slice3window_leaving_7,
+      write_address => slice3window_leaving_7_memory_write_address, write_data => slice3window_leaving_7_memory_write_data);
 
+  slice3window_leaving_6_memory_read_enable <= true;
+  slice3window_leaving_6_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_6_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_6_memory_write_data <= to_unsigned(slice3cost_column_0_13, 12) & to_unsigned(slice3cost_column_0_12, 12);
   slice3window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_6,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_6_memory_read_enable,
+      read_address => slice3window_leaving_6_memory_read_address, read_data => slice3window_leaving_6,
+      write_address => slice3window_leaving_6_memory_write_address, write_data => slice3window_leaving_6_memory_write_data);
 
+  slice3window_leaving_5_memory_read_enable <= true;
+  slice3window_leaving_5_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_5_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_5_memory_write_data <= to_unsigned(slice3cost_column_0_11, 12) & to_unsigned(slice3cost_column_0_10, 12);
   slice3window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_5,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_5_memory_read_enable,
+      read_address => slice3window_leaving_5_memory_read_address, read_data => slice3window_leaving_5,
+      write_address => slice3window_leaving_5_memory_write_address, write_data => slice3window_leaving_5_memory_write_data);
 
+  slice3window_leaving_4_memory_read_enable <= true;
+  slice3window_leaving_4_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_4_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_4_memory_write_data <= to_unsigned(slice3cost_column_0_9, 12) & to_unsigned(slice3cost_column_0_8, 12);
   slice3window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_4,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_4_memory_read_enable,
+      read_address => slice3window_leaving_4_memory_read_address, read_data => slice3window_leaving_4,
+      write_address => slice3window_leaving_4_memory_write_address, write_data => slice3window_leaving_4_memory_write_data);
 
+  slice3window_leaving_3_memory_read_enable <= true;
+  slice3window_leaving_3_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_3_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_3_memory_write_data <= to_unsigned(slice3cost_column_0_7, 12) & to_unsigned(slice3cost_column_0_6, 12);
   slice3window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_3,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_3_memory_read_enable,
+      read_address => slice3window_leaving_3_memory_read_address, read_data => slice3window_leaving_3,
+      write_address => slice3window_leaving_3_memory_write_address, write_data => slice3window_leaving_3_memory_write_data);
 
+  slice3window_leaving_2_memory_read_enable <= true;
+  slice3window_leaving_2_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_2_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_2_memory_write_data <= to_unsigned(slice3cost_column_0_5, 12) & to_unsigned(slice3cost_column_0_4, 12);
   slice3window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_2,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_2_memory_read_enable,
+      read_address => slice3window_leaving_2_memory_read_address, read_data => slice3window_leaving_2,
+      write_address => slice3window_leaving_2_memory_write_address, write_data => slice3window_leaving_2_memory_write_data);
 
+  slice3window_leaving_1_memory_read_enable <= true;
+  slice3window_leaving_1_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_1_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_1_memory_write_data <= to_unsigned(slice3cost_column_0_3, 12) & to_unsigned(slice3cost_column_0_2, 12);
   slice3window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_1,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_1_memory_read_enable,
+      read_address => slice3window_leaving_1_memory_read_address, read_data => slice3window_leaving_1,
+      write_address => slice3window_leaving_1_memory_write_address, write_data => slice3window_leaving_1_memory_write_data);
 
+  slice3window_leaving_0_memory_read_enable <= true;
+  slice3window_leaving_0_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_0_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_0_memory_write_data <= to_unsigned(slice3cost_column_0_1, 12) & to_unsigned(slice3cost_column_0_0, 12);
   slice3window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_0,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_0_memory_read_enable,
+      read_address => slice3window_leaving_0_memory_read_address, read_data => slice3window_leaving_0,
+      write_address => slice3window_leaving_0_memory_write_address, write_data => slice3window_leaving_0_memory_write_data);
 
+  slice3cost_read_words_12_memory_read_enable <= true;
+  slice3cost_read_words_12_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
+  slice3cost_read_words_12_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_12_memory_write_data <= to_unsigned(slice3cost_write_words_12, 12);
   slice3cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 640, width => 12)
+    generic map (depth => 640, width => 12, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_12,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_12_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_12_memory_read_enable,
+      read_address => slice3cost_read_words_12_memory_read_address, read_data => slice3cost_read_words_12,
+      write_address => slice3cost_read_words_12_memory_write_address, write_data => slice3cost_read_words_12_memory_write_data);
 
+  slice3cost_read_words_11_memory_read_enable <= true;
+  slice3cost_read_words_11_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
+  slice3cost_read_words_11_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_11_memory_write_data <= to_unsigned(slice3cost_write_words_11, 24);
   slice3cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_11,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_11_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_11_memory_read_enable,
+      read_address => slice3cost_read_words_11_memory_read_address, read_data => slice3cost_read_words_11,
+      write_address => slice3cost_read_words_11_memory_write_address, write_data => slice3cost_read_words_11_memory_write_data);
 
+  slice3cost_read_words_10_memory_read_enable <= true;
+  slice3cost_read_words_10_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
+  slice3cost_read_words_10_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_10_memory_write_data <= to_unsigned(slice3cost_write_words_10, 24);
   slice3cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_10,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_10_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_10_memory_read_enable,
+      read_address => slice3cost_read_words_10_memory_read_address, read_data => slice3cost_read_words_10,
+      write_address => slice3cost_read_words_10_memory_write_address, write_data => slice3cost_read_words_10_memory_write_data);
 
+  slice3cost_read_words_9_memory_read_enable <= true;
+  slice3cost_read_words_9_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
+  slice3cost_read_words_9_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_9_memory_write_data <= to_unsigned(slice3cost_write_words_9, 24);
   slice3cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_9,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_9_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_9_memory_read_enable,
+      read_address => slice3cost_read_words_9_memory_read_address, read_data => slice3cost_read_words_9,
+      write_address => slice3cost_read_words_9_memory_write_address, write_data => slice3cost_read_words_9_memory_write_data);
 
+  slice3cost_read_words_8_memory_read_enable <= true;
+  slice3cost_read_words_8_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
+  slice3cost_read_words_8_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_8_memory_write_data <= to_unsigned(slice3cost_write_words_8, 24);
   slice3cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_8,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_8_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_8_memory_read_enable,
+      read_address => slice3cost_read_words_8_memory_read_address, read_data => slice3cost_read_words_8,
+      write_address => slice3cost_read_words_8_memory_write_address, write_data => slice3cost_read_words_8_memory_write_data);
 
+  slice3cost_read_words_7_memory_read_enable <= true;
+  slice3cost_read_words_7_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
+  slice3cost_read_words_7_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_7_memory_write_data <= to_unsigned(slice3cost_write_words_7, 24);
   slice3cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_7,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_7_memory_read_enable,
+      read_address => slice3cost_read_words_7_memory_read_address, read_data => slice3cost_read_words_7,
+      write_address => slice3cost_read_words_7_memory_write_address, write_data => slice3cost_read_words_7_memory_write_data);
 
+  slice3cost_read_words_6_memory_read_enable <= true;
+  slice3cost_read_words_6_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
+  slice3cost_read_words_6_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_6_memory_write_data <= to_unsigned(slice3cost_write_words_6, 24);
   slice3cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_6,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_6_memory_read_enable,
+      read_address => slice3cost_read_words_6_memory_read_address, read_data => slice3cost_read_words_6,
+      write_address => slice3cost_read_words_6_memory_write_address, write_data => slice3cost_read_words_6_memory_write_data);
 
+  slice3cost_read_words_5_memory_read_enable <= true;
+  slice3cost_read_words_5_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
+  slice3cost_read_words_5_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_5_memory_write_data <= to_unsigned(slice3cost_write_words_5, 24);
   slice3cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_5,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_5_memory_read_enable,
+      read_address => slice3cost_read_words_5_memory_read_address, read_data => slice3cost_read_words_5,
+      write_address => slice3cost_read_words_5_memory_write_address, write_data => slice3cost_read_words_5_memory_write_data);
 
+  slice3cost_read_words_4_memory_read_enable <= true;
+  slice3cost_read_words_4_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
+  slice3cost_read_words_4_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_4_memory_write_data <= to_unsigned(slice3cost_write_words_4, 24);
   slice3cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_4,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_4_memory_read_enable,
+      read_address => slice3cost_read_words_4_memory_read_address, read_data => slice3cost_read_words_4,
+      write_address => slice3cost_read_words_4_memory_write_address, write_data => slice3cost_read_words_4_memory_write_data);
 
+  slice3cost_read_words_3_memory_read_enable <= true;
+  slice3cost_read_words_3_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
+  slice3cost_read_words_3_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_3_memory_write_data <= to_unsigned(slice3cost_write_words_3, 24);
   slice3cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_3,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_3_memory_read_enable,
+      read_address => slice3cost_read_words_3_memory_read_address, read_data => slice3cost_read_words_3,
+      write_address => slice3cost_read_words_3_memory_write_address, write_data => slice3cost_read_words_3_memory_write_data);
 
+  slice3cost_read_words_2_memory_read_enable <= true;
+  slice3cost_read_words_2_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
+  slice3cost_read_words_2_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_2_memory_write_data <= to_unsigned(slice3cost_write_words_2, 24);
   slice3cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_2,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_2_memory_read_enable,
+      read_address => slice3cost_read_words_2_memory_read_address, read_data => slice3cost_read_words_2,
+      write_address => slice3cost_read_words_2_memory_write_address, write_data => slice3cost_read_words_2_memory_write_data);
 
+  slice3cost_read_words_1_memory_read_enable <= true;
+  slice3cost_read_words_1_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
+  slice3cost_read_words_1_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_1_memory_write_data <= to_unsigned(slice3cost_write_words_1, 24);
   slice3cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_1,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_1_memory_read_enable,
+      read_address => slice3cost_read_words_1_memory_read_address, read_data => slice3cost_read_words_1,
+      write_address => slice3cost_read_words_1_memory_write_address, write_data => slice3cost_read_words_1_memory_write_data);
 
+  slice3cost_read_words_0_memory_read_enable <= true;
+  slice3cost_read_words_0_memory_read_address <= to_unsigned(slice3cost_read_column, 10);
+  slice3cost_read_words_0_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_0_memory_write_data <= to_unsigned(slice3cost_write_words_0, 24);
   slice3cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3cost_read_column, read_data => slice3cost_read_words_0,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_0_memory_read_enable,
+      read_address => slice3cost_read_words_0_memory_read_address, read_data => slice3cost_read_words_0,
+      write_address => slice3cost_read_words_0_memory_write_address, write_data => slice3cost_read_words_0_memory_write_data);
 
+  slice2window_leaving_12_memory_read_enable <= true;
+  slice2window_leaving_12_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_12_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_12_memory_write_data <= to_unsigned(slice2cost_column_0_24, 12);
   slice2window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 10, width => 12)
+    generic map (depth => 10, width => 12, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_12,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_12_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_12_memory_read_enable,
+      read_address => slice2window_leaving_12_memory_read_address, read_data => slice2window_leaving_12,
+      write_address => slice2window_leaving_12_memory_write_address, write_data => slice2window_leaving_12_memory_write_data);
 
+  slice2window_leaving_11_memory_read_enable <= true;
+  slice2window_leaving_11_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_11_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_11_memory_write_data <= to_unsigned(slice2cost_column_0_23, 12) & to_unsigned(slice2cost_column_0_22, 12);
   slice2window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_11,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_11_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_11_memory_read_enable,
+      read_address => slice2window_leaving_11_memory_read_address, read_data => slice2window_leaving_11,
+      write_address => slice2window_leaving_11_memory_write_address, write_data => slice2window_leaving_11_memory_write_data);
 
+  slice2window_leaving_10_memory_read_enable <= true;
+  slice2window_leaving_10_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_10_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_10_memory_write_data <= to_unsigned(slice2cost_column_0_21, 12) & to_unsigned(slice2cost_column_0_20, 12);
   slice2window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_10,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_10_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_10_memory_read_enable,
+      read_address => slice2window_leaving_10_memory_read_address, read_data => slice2window_leaving_10,
+      write_address => slice2window_leaving_10_memory_write_address, write_data => slice2window_leaving_10_memory_write_data);
 
+  slice2window_leaving_9_memory_read_enable <= true;
+  slice2window_leaving_9_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_9_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_9_memory_write_data <= to_unsigned(slice2cost_column_0_19, 12) & to_unsigned(slice2cost_column_0_18, 12);
   slice2window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_9,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_9_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_9_memory_read_enable,
+      read_address => slice2window_leaving_9_memory_read_address, read_data => slice2window_leaving_9,
+      write_address => slice2window_leaving_9_memory_write_address, write_data => slice2window_leaving_9_memory_write_data);
 
+  slice2window_leaving_8_memory_read_enable <= true;
+  slice2window_leaving_8_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_8_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_8_memory_write_data <= to_unsigned(slice2cost_column_0_17, 12) & to_unsigned(slice2cost_column_0_16, 12);
   slice2window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_8,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_8_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_8_memory_read_enable,
+      read_address => slice2window_leaving_8_memory_read_address, read_data => slice2window_leaving_8,
+      write_address => slice2window_leaving_8_memory_write_address, write_data => slice2window_leaving_8_memory_write_data);
 
+  slice2window_leaving_7_memory_read_enable <= true;
+  slice2window_leaving_7_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_7_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_7_memory_write_data <= to_unsigned(slice2cost_column_0_15, 12) & to_unsigned(slice2cost_column_0_14, 12);
   slice2window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_7,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_7_memory_read_enable,
+      read_address => slice2window_leaving_7_memory_read_address, read_data => slice2window_leaving_7,
+      write_address => slice2window_leaving_7_memory_write_address, write_data => slice2window_leaving_7_memory_write_data);
 
+  slice2window_leaving_6_memory_read_enable <= true;
+  slice2window_leaving_6_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_6_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_6_memory_write_data <= to_unsigned(slice2cost_column_0_13, 12) & to_unsigned(slice2cost_column_0_12, 12);
   slice2window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_6,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_6_memory_read_enable,
+      read_address => slice2window_leaving_6_memory_read_address, read_data => slice2window_leaving_6,
+      write_address => slice2window_leaving_6_memory_write_address, write_data => slice2window_leaving_6_memory_write_data);
 
+  slice2window_leaving_5_memory_read_enable <= true;
+  slice2window_leaving_5_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_5_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_5_memory_write_data <= to_unsigned(slice2cost_column_0_11, 12) & to_unsigned(slice2cost_column_0_10, 12);
   slice2window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_5,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_5_memory_read_enable,
+      read_address => slice2window_leaving_5_memory_read_address, read_data => slice2window_leaving_5,
+      write_address => slice2window_leaving_5_memory_write_address, write_data => slice2window_leaving_5_memory_write_data);
 
+  slice2window_leaving_4_memory_read_enable <= true;
+  slice2window_leaving_4_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_4_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_4_memory_write_data <= to_unsigned(slice2cost_column_0_9, 12) & to_unsigned(slice2cost_column_0_8, 12);
   slice2window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_4,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_4_memory_read_enable,
+      read_address => slice2window_leaving_4_memory_read_address, read_data => slice2window_leaving_4,
+      write_address => slice2window_leaving_4_memory_write_address, write_data => slice2window_leaving_4_memory_write_data);
 
+  slice2window_leaving_3_memory_read_enable <= true;
+  slice2window_leaving_3_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_3_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_3_memory_write_data <= to_unsigned(slice2cost_column_0_7, 12) & to_unsigned(slice2cost_column_0_6, 12);
   slice2window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_3,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_3_memory_read_enable,
+      read_address => slice2window_leaving_3_memory_read_address, read_data => slice2window_leaving_3,
+      write_address => slice2window_leaving_3_memory_write_address, write_data => slice2window_leaving_3_memory_write_data);
 
+  slice2window_leaving_2_memory_read_enable <= true;
+  slice2window_leaving_2_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_2_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_2_memory_write_data <= to_unsigned(slice2cost_column_0_5, 12) & to_unsigned(slice2cost_column_0_4, 12);
   slice2window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_2,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_2_memory_read_enable,
+      read_address => slice2window_leaving_2_memory_read_address, read_data => slice2window_leaving_2,
+      write_address => slice2window_leaving_2_memory_write_address, write_data => slice2window_leaving_2_memory_write_data);
 
+  slice2window_leaving_1_memory_read_enable <= true;
+  slice2window_leaving_1_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_1_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_1_memory_write_data <= to_unsigned(slice2cost_column_0_3, 12) & to_unsigned(slice2cost_column_0_2, 12);
   slice2window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_1,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_1_memory_read_enable,
+      read_address => slice2window_leaving_1_memory_read_address, read_data => slice2window_leaving_1,
+      write_address => slice2window_leaving_1_memory_write_address, write_data => slice2window_leaving_1_memory_write_data);
 
+  slice2window_leaving_0_memory_read_enable <= true;
+  slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0_1, 12) & to_unsigned(slice2cost_column_0_0, 12);
   slice2window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_0,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
+      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving_0,
+      write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
 
+  slice2cost_read_words_12_memory_read_enable <= true;
+  slice2cost_read_words_12_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_12_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
   slice2cost_read_words_12_memory_write_data <= to_unsigned(slice2cost_write_words_12, 12);
   slice2cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 640, width => 12)
+    generic map (depth => 640, width => 12, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_12,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_12_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_12_memory_read_enable,
+      read_address => slice2cost_read_words_12_memory_read_address, read_data => slice2cost_read_words_12,
+      write_address => slice2cost_read_words_12_memory_write_address, write_data => slice2cost_read_words_12_memory_write_data);
 
+  slice2cost_read_words_11_memory_read_enable <= true;
+  slice2cost_read_words_11_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_11_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
   slice2cost_read_words_11_memory_write_data <= to_unsigned(slice2cost_write_words_11, 24);
   slice2cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_11,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_11_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_11_memory_read_enable,
+      read_address => slice2cost_read_words_11_memory_read_address, read_data => slice2cost_read_words_11,
+      write_address => slice2cost_read_words_11_memory_write_address, write_data => slice2cost_read_words_11_memory_write_data);
 
+  slice2cost_read_words_10_memory_read_enable <= true;
+  slice2cost_read_words_10_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_10_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
   slice2cost_read_words_10_memory_write_data <= to_unsigned(slice2cost_write_words_10, 24);
   slice2cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_10,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_10_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_10_memory_read_enable,
+      read_address => slice2cost_read_words_10_memory_read_address, read_data => slice2cost_read_words_10,
+      write_address => slice2cost_read_words_10_memory_write_address, write_data => slice2cost_read_words_10_memory_write_data);
 
+  slice2cost_read_words_9_memory_read_enable <= true;
+  slice2cost_read_words_9_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_9_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
   slice2cost_read_words_9_memory_write_data <= to_unsigned(slice2cost_write_words_9, 24);
   slice2cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_9,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_9_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_9_memory_read_enable,
+      read_address => slice2cost_read_words_9_memory_read_address, read_data => slice2cost_read_words_9,
+      write_address => slice2cost_read_words_9_memory_write_address, write_data => slice2cost_read_words_9_memory_write_data);
 
+  slice2cost_read_words_8_memory_read_enable <= true;
+  slice2cost_read_words_8_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_8_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
   slice2cost_read_words_8_memory_write_data <= to_unsigned(slice2cost_write_words_8, 24);
   slice2cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_8,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_8_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_8_memory_read_enable,
+      read_address => slice2cost_read_words_8_memory_read_address, read_data => slice2cost_read_words_8,
+      write_address => slice2cost_read_words_8_memory_write_address, write_data => slice2cost_read_words_8_memory_write_data);
 
+  slice2cost_read_words_7_memory_read_enable <= true;
+  slice2cost_read_words_7_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_7_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
   slice2cost_read_words_7_memory_write_data <= to_unsigned(slice2cost_write_words_7, 24);
   slice2cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_7,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_7_memory_read_enable,
+      read_address => slice2cost_read_words_7_memory_read_address, read_data => slice2cost_read_words_7,
+      write_address => slice2cost_read_words_7_memory_write_address, write_data => slice2cost_read_words_7_memory_write_data);
 
+  slice2cost_read_words_6_memory_read_enable <= true;
+  slice2cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_6_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
   slice2cost_read_words_6_memory_write_data <= to_unsigned(slice2cost_write_words_6, 24);
   slice2cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_6,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_6_memory_read_enable,
+      read_address => slice2cost_read_words_6_memory_read_address, read_data => slice2cost_read_words_6,
+      write_address => slice2cost_read_words_6_memory_write_address, write_data => slice2cost_read_words_6_memory_write_data);
 
+  slice2cost_read_words_5_memory_read_enable <= true;
+  slice2cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_5_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
   slice2cost_read_words_5_memory_write_data <= to_unsigned(slice2cost_write_words_5, 24);
   slice2cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_5,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_5_memory_read_enable,
+      read_address => slice2cost_read_words_5_memory_read_address, read_data => slice2cost_read_words_5,
+      write_address => slice2cost_read_words_5_memory_write_address, write_data => slice2cost_read_words_5_memory_write_data);
 
+  slice2cost_read_words_4_memory_read_enable <= true;
+  slice2cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_4_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
   slice2cost_read_words_4_memory_write_data <= to_unsigned(slice2cost_write_words_4, 24);
   slice2cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_4,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_4_memory_read_enable,
+      read_address => slice2cost_read_words_4_memory_read_address, read_data => slice2cost_read_words_4,
+      write_address => slice2cost_read_words_4_memory_write_address, write_data => slice2cost_read_words_4_memory_write_data);
 
+  slice2cost_read_words_3_memory_read_enable <= true;
+  slice2cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_3_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
   slice2cost_read_words_3_memory_write_data <= to_unsigned(slice2cost_write_words_3, 24);
   slice2cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_3,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_3_memory_read_enable,
+      read_address => slice2cost_read_words_3_memory_read_address, read_data => slice2cost_read_words_3,
+      write_address => slice2cost_read_words_3_memory_write_address, write_data => slice2cost_read_words_3_memory_write_data);
 
+  slice2cost_read_words_2_memory_read_enable <= true;
+  slice2cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_2_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
   slice2cost_read_words_2_memory_write_data <= to_unsigned(slice2cost_write_words_2, 24);
   slice2cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_2,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_2_memory_read_enable,
+      read_address => slice2cost_read_words_2_memory_read_address, read_data => slice2cost_read_words_2,
+      write_address => slice2cost_read_words_2_memory_write_address, write_data => slice2cost_read_words_2_memory_write_data);
 
+  slice2cost_read_words_1_memory_read_enable <= true;
+  slice2cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
   slice2cost_read_words_1_memory_write_data <= to_unsigned(slice2cost_write_words_1, 24);
   slice2cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_1,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_1_memory_read_enable,
+      read_address => slice2cost_read_words_1_memory_read_address, read_data => slice2cost_read_words_1,
+      write_address => slice2cost_read_words_1_memory_write_address, write_data => slice2cost_read_words_1_memory_write_data);
 
+  slice2cost_read_words_0_memory_read_enable <= true;
+  slice2cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_write_column, 10);
   slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words_0, 24);
   slice2cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_0,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
+      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words_0,
+      write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
 
+  slice1window_leaving_12_memory_read_enable <= true;
+  slice1window_leaving_12_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_12_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_12_memory_write_data <= to_unsigned(slice1cost_column_0_24, 12);
   slice1window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 10, width => 12)
+    generic map (depth => 10, width => 12, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_12,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_12_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_12_memory_read_enable,
+      read_address => slice1window_leaving_12_memory_read_address, read_data => slice1window_leaving_12,
+      write_address => slice1window_leaving_12_memory_write_address, write_data => slice1window_leaving_12_memory_write_data);
 
+  slice1window_leaving_11_memory_read_enable <= true;
+  slice1window_leaving_11_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_11_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_11_memory_write_data <= to_unsigned(slice1cost_column_0_23, 12) & to_unsigned(slice1cost_column_0_22, 12);
   slice1window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_11,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_11_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_11_memory_read_enable,
+      read_address => slice1window_leaving_11_memory_read_address, read_data => slice1window_leaving_11,
+      write_address => slice1window_leaving_11_memory_write_address, write_data => slice1window_leaving_11_memory_write_data);
 
+  slice1window_leaving_10_memory_read_enable <= true;
+  slice1window_leaving_10_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_10_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_10_memory_write_data <= to_unsigned(slice1cost_column_0_21, 12) & to_unsigned(slice1cost_column_0_20, 12);
   slice1window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_10,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_10_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_10_memory_read_enable,
+      read_address => slice1window_leaving_10_memory_read_address, read_data => slice1window_leaving_10,
+      write_address => slice1window_leaving_10_memory_write_address, write_data => slice1window_leaving_10_memory_write_data);
 
+  slice1window_leaving_9_memory_read_enable <= true;
+  slice1window_leaving_9_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_9_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_9_memory_write_data <= to_unsigned(slice1cost_column_0_19, 12) & to_unsigned(slice1cost_column_0_18, 12);
   slice1window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_9,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_9_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_9_memory_read_enable,
+      read_address => slice1window_leaving_9_memory_read_address, read_data => slice1window_leaving_9,
+      write_address => slice1window_leaving_9_memory_write_address, write_data => slice1window_leaving_9_memory_write_data);
 
+  slice1window_leaving_8_memory_read_enable <= true;
+  slice1window_leaving_8_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_8_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_8_memory_write_data <= to_unsigned(slice1cost_column_0_17, 12) & to_unsigned(slice1cost_column_0_16, 12);
   slice1window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_8,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_8_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_8_memory_read_enable,
+      read_address => slice1window_leaving_8_memory_read_address, read_data => slice1window_leaving_8,
+      write_address => slice1window_leaving_8_memory_write_address, write_data => slice1window_leaving_8_memory_write_data);
 
+  slice1window_leaving_7_memory_read_enable <= true;
+  slice1window_leaving_7_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_7_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_7_memory_write_data <= to_unsigned(slice1cost_column_0_15, 12) & to_unsigned(slice1cost_column_0_14, 12);
   slice1window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_7,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_7_memory_read_enable,
+      read_address => slice1window_leaving_7_memory_read_address, read_data => slice1window_leaving_7,
+      write_address => slice1window_leaving_7_memory_write_address, write_data => slice1window_leaving_7_memory_write_data);
 
+  slice1window_leaving_6_memory_read_enable <= true;
+  slice1window_leaving_6_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_6_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_6_memory_write_data <= to_unsigned(slice1cost_column_0_13, 12) & to_unsigned(slice1cost_column_0_12, 12);
   slice1window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_6,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_6_memory_read_enable,
+      read_address => slice1window_leaving_6_memory_read_address, read_data => slice1window_leaving_6,
+      write_address => slice1window_leaving_6_memory_write_address, write_data => slice1window_leaving_6_memory_write_data);
 
+  slice1window_leaving_5_memory_read_enable <= true;
+  slice1window_leaving_5_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_5_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_5_memory_write_data <= to_unsigned(slice1cost_column_0_11, 12) & to_unsigned(slice1cost_column_0_10, 12);
   slice1window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_5,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_5_memory_read_enable,
+      read_address => slice1window_leaving_5_memory_read_address, read_data => slice1window_leaving_5,
+      write_address => slice1window_leaving_5_memory_write_address, write_data => slice1window_leaving_5_memory_write_data);
 
+  slice1window_leaving_4_memory_read_enable <= true;
+  slice1window_leaving_4_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_4_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_4_memory_write_data <= to_unsigned(slice1cost_column_0_9, 12) & to_unsigned(slice1cost_column_0_8, 12);
   slice1window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_4,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_4_memory_read_enable,
+      read_address => slice1window_leaving_4_memory_read_address, read_data => slice1window_leaving_4,
+      write_address => slice1window_leaving_4_memory_write_address, write_data => slice1window_leaving_4_memory_write_data);
 
+  slice1window_leaving_3_memory_read_enable <= true;
+  slice1window_leaving_3_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_3_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0_7, 12) & to_unsigned(slice1cost_column_0_6, 12);
   slice1window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_3,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_3_memory_read_enable,
+      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving_3,
+      write_address => slice1window_leaving_3_memory_write_address, write_data => slice1window_leaving_3_memory_write_data);
 
+  slice1window_leaving_2_memory_read_enable <= true;
+  slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0_5, 12) & to_unsigned(slice1cost_column_0_4, 12);
   slice1window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_2,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
+      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving_2,
+      write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
 
+  slice1window_leaving_1_memory_read_enable <= true;
+  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0_3, 12) & to_unsigned(slice1cost_column_0_2, 12);
   slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_1,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
+      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving_1,
+      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
 
+  slice1window_leaving_0_memory_read_enable <= true;
+  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_1, 12) & to_unsigned(slice1cost_column_0_0, 12);
   slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_0,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
+      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving_0,
+      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
 
+  slice1cost_read_words_12_memory_read_enable <= true;
+  slice1cost_read_words_12_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_12_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
   slice1cost_read_words_12_memory_write_data <= to_unsigned(slice1cost_write_words_12, 12);
   slice1cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 640, width => 12)
+    generic map (depth => 640, width => 12, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_12,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_12_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_12_memory_read_enable,
+      read_address => slice1cost_read_words_12_memory_read_address, read_data => slice1cost_read_words_12,
+      write_address => slice1cost_read_words_12_memory_write_address, write_data => slice1cost_read_words_12_memory_write_data);
 
+  slice1cost_read_words_11_memory_read_enable <= true;
+  slice1cost_read_words_11_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_11_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
   slice1cost_read_words_11_memory_write_data <= to_unsigned(slice1cost_write_words_11, 24);
   slice1cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_11,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_11_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_11_memory_read_enable,
+      read_address => slice1cost_read_words_11_memory_read_address, read_data => slice1cost_read_words_11,
+      write_address => slice1cost_read_words_11_memory_write_address, write_data => slice1cost_read_words_11_memory_write_data);
 
+  slice1cost_read_words_10_memory_read_enable <= true;
+  slice1cost_read_words_10_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_10_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
   slice1cost_read_words_10_memory_write_data <= to_unsigned(slice1cost_write_words_10, 24);
   slice1cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_10,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_10_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_10_memory_read_enable,
+      read_address => slice1cost_read_words_10_memory_read_address, read_data => slice1cost_read_words_10,
+      write_address => slice1cost_read_words_10_memory_write_address, write_data => slice1cost_read_words_10_memory_write_data);
 
+  slice1cost_read_words_9_memory_read_enable <= true;
+  slice1cost_read_words_9_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_9_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
   slice1cost_read_words_9_memory_write_data <= to_unsigned(slice1cost_write_words_9, 24);
   slice1cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_9,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_9_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_9_memory_read_enable,
+      read_address => slice1cost_read_words_9_memory_read_address, read_data => slice1cost_read_words_9,
+      write_address => slice1cost_read_words_9_memory_write_address, write_data => slice1cost_read_words_9_memory_write_data);
 
+  slice1cost_read_words_8_memory_read_enable <= true;
+  slice1cost_read_words_8_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_8_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
   slice1cost_read_words_8_memory_write_data <= to_unsigned(slice1cost_write_words_8, 24);
   slice1cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_8,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_8_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_8_memory_read_enable,
+      read_address => slice1cost_read_words_8_memory_read_address, read_data => slice1cost_read_words_8,
+      write_address => slice1cost_read_words_8_memory_write_address, write_data => slice1cost_read_words_8_memory_write_data);
 
+  slice1cost_read_words_7_memory_read_enable <= true;
+  slice1cost_read_words_7_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_7_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
   slice1cost_read_words_7_memory_write_data <= to_unsigned(slice1cost_write_words_7, 24);
   slice1cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_7,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_7_memory_read_enable,
+      read_address => slice1cost_read_words_7_memory_read_address, read_data => slice1cost_read_words_7,
+      write_address => slice1cost_read_words_7_memory_write_address, write_data => slice1cost_read_words_7_memory_write_data);
 
+  slice1cost_read_words_6_memory_read_enable <= true;
+  slice1cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_6_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
   slice1cost_read_words_6_memory_write_data <= to_unsigned(slice1cost_write_words_6, 24);
   slice1cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_6,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_6_memory_read_enable,
+      read_address => slice1cost_read_words_6_memory_read_address, read_data => slice1cost_read_words_6,
+      write_address => slice1cost_read_words_6_memory_write_address, write_data => slice1cost_read_words_6_memory_write_data);
 
+  slice1cost_read_words_5_memory_read_enable <= true;
+  slice1cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_5_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
   slice1cost_read_words_5_memory_write_data <= to_unsigned(slice1cost_write_words_5, 24);
   slice1cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_5,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_5_memory_read_enable,
+      read_address => slice1cost_read_words_5_memory_read_address, read_data => slice1cost_read_words_5,
+      write_address => slice1cost_read_words_5_memory_write_address, write_data => slice1cost_read_words_5_memory_write_data);
 
+  slice1cost_read_words_4_memory_read_enable <= true;
+  slice1cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_4_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
   slice1cost_read_words_4_memory_write_data <= to_unsigned(slice1cost_write_words_4, 24);
   slice1cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_4,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_4_memory_read_enable,
+      read_address => slice1cost_read_words_4_memory_read_address, read_data => slice1cost_read_words_4,
+      write_address => slice1cost_read_words_4_memory_write_address, write_data => slice1cost_read_words_4_memory_write_data);
 
+  slice1cost_read_words_3_memory_read_enable <= true;
+  slice1cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_3_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
   slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words_3, 24);
   slice1cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_3,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_3_memory_read_enable,
+      read_address => slice1cost_read_words_3_memory_read_address, read_data => slice1cost_read_words_3,
+      write_address => slice1cost_read_words_3_memory_write_address, write_data => slice1cost_read_words_3_memory_write_data);
 
+  slice1cost_read_words_2_memory_read_enable <= true;
+  slice1cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_2_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
   slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words_2, 24);
   slice1cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_2,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_2_memory_read_enable,
+      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words_2,
+      write_address => slice1cost_read_words_2_memory_write_address, write_data => slice1cost_read_words_2_memory_write_data);
 
+  slice1cost_read_words_1_memory_read_enable <= true;
+  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
   slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 24);
   slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
+      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words_1,
+      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
 
+  slice1cost_read_words_0_memory_read_enable <= true;
+  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_ready_column, 10);
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 24);
   slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
+      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words_0,
+      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
 
+  slice0window_leaving_12_memory_read_enable <= true;
+  slice0window_leaving_12_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_12_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_12_memory_write_data <= to_unsigned(slice0cost_column_0_24, 12);
   slice0window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 10, width => 12)
+    generic map (depth => 10, width => 12, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_12,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_12_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_12_memory_read_enable,
+      read_address => slice0window_leaving_12_memory_read_address, read_data => slice0window_leaving_12,
+      write_address => slice0window_leaving_12_memory_write_address, write_data => slice0window_leaving_12_memory_write_data);
 
+  slice0window_leaving_11_memory_read_enable <= true;
+  slice0window_leaving_11_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_11_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_11_memory_write_data <= to_unsigned(slice0cost_column_0_23, 12) & to_unsigned(slice0cost_column_0_22, 12);
   slice0window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_11,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_11_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_11_memory_read_enable,
+      read_address => slice0window_leaving_11_memory_read_address, read_data => slice0window_leaving_11,
+      write_address => slice0window_leaving_11_memory_write_address, write_data => slice0window_leaving_11_memory_write_data);
 
+  slice0window_leaving_10_memory_read_enable <= true;
+  slice0window_leaving_10_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_10_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_10_memory_write_data <= to_unsigned(slice0cost_column_0_21, 12) & to_unsigned(slice0cost_column_0_20, 12);
   slice0window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_10,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_10_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_10_memory_read_enable,
+      read_address => slice0window_leaving_10_memory_read_address, read_data => slice0window_leaving_10,
+      write_address => slice0window_leaving_10_memory_write_address, write_data => slice0window_leaving_10_memory_write_data);
 
+  slice0window_leaving_9_memory_read_enable <= true;
+  slice0window_leaving_9_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_9_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_9_memory_write_data <= to_unsigned(slice0cost_column_0_19, 12) & to_unsigned(slice0cost_column_0_18, 12);
   slice0window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_9,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_9_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_9_memory_read_enable,
+      read_address => slice0window_leaving_9_memory_read_address, read_data => slice0window_leaving_9,
+      write_address => slice0window_leaving_9_memory_write_address, write_data => slice0window_leaving_9_memory_write_data);
 
+  slice0window_leaving_8_memory_read_enable <= true;
+  slice0window_leaving_8_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_8_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_8_memory_write_data <= to_unsigned(slice0cost_column_0_17, 12) & to_unsigned(slice0cost_column_0_16, 12);
   slice0window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_8,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_8_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_8_memory_read_enable,
+      read_address => slice0window_leaving_8_memory_read_address, read_data => slice0window_leaving_8,
+      write_address => slice0window_leaving_8_memory_write_address, write_data => slice0window_leaving_8_memory_write_data);
 
+  slice0window_leaving_7_memory_read_enable <= true;
+  slice0window_leaving_7_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_7_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_7_memory_write_data <= to_unsigned(slice0cost_column_0_15, 12) & to_unsigned(slice0cost_column_0_14, 12);
   slice0window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_7,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_7_memory_read_enable,
+      read_address => slice0window_leaving_7_memory_read_address, read_data => slice0window_leaving_7,
+      write_address => slice0window_leaving_7_memory_write_address, write_data => slice0window_leaving_7_memory_write_data);
 
+  slice0window_leaving_6_memory_read_enable <= true;
+  slice0window_leaving_6_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_6_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_6_memory_write_data <= to_unsigned(slice0cost_column_0_13, 12) & to_unsigned(slice0cost_column_0_12, 12);
   slice0window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_6,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_6_memory_read_enable,
+      read_address => slice0window_leaving_6_memory_read_address, read_data => slice0window_leaving_6,
+      write_address => slice0window_leaving_6_memory_write_address, write_data => slice0window_leaving_6_memory_write_data);
 
+  slice0window_leaving_5_memory_read_enable <= true;
+  slice0window_leaving_5_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_5_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_5_memory_write_data <= to_unsigned(slice0cost_column_0_11, 12) & to_unsigned(slice0cost_column_0_10, 12);
   slice0window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_5,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_5_memory_read_enable,
+      read_address => slice0window_leaving_5_memory_read_address, read_data => slice0window_leaving_5,
+      write_address => slice0window_leaving_5_memory_write_address, write_data => slice0window_leaving_5_memory_write_data);
 
+  slice0window_leaving_4_memory_read_enable <= true;
+  slice0window_leaving_4_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_4_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_4_memory_write_data <= to_unsigned(slice0cost_column_0_9, 12) & to_unsigned(slice0cost_column_0_8, 12);
   slice0window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_4,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_4_memory_read_enable,
+      read_address => slice0window_leaving_4_memory_read_address, read_data => slice0window_leaving_4,
+      write_address => slice0window_leaving_4_memory_write_address, write_data => slice0window_leaving_4_memory_write_data);
 
+  slice0window_leaving_3_memory_read_enable <= true;
+  slice0window_leaving_3_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_3_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0_7, 12) & to_unsigned(slice0cost_column_0_6, 12);
   slice0window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_3,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_3_memory_read_enable,
+      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving_3,
+      write_address => slice0window_leaving_3_memory_write_address, write_data => slice0window_leaving_3_memory_write_data);
 
+  slice0window_leaving_2_memory_read_enable <= true;
+  slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0_5, 12) & to_unsigned(slice0cost_column_0_4, 12);
   slice0window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_2,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
+      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving_2,
+      write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
 
+  slice0window_leaving_1_memory_read_enable <= true;
+  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0_3, 12) & to_unsigned(slice0cost_column_0_2, 12);
   slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_1,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
+      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving_1,
+      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
 
+  slice0window_leaving_0_memory_read_enable <= true;
+  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_1, 12) & to_unsigned(slice0cost_column_0_0, 12);
   slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
+      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
+  slice0cost_read_words_12_memory_read_enable <= true;
+  slice0cost_read_words_12_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_12_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
   slice0cost_read_words_12_memory_write_data <= to_unsigned(slice0cost_write_words_12, 12);
   slice0cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 640, width => 12)
+    generic map (depth => 640, width => 12, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_12,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_12_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_12_memory_read_enable,
+      read_address => slice0cost_read_words_12_memory_read_address, read_data => slice0cost_read_words_12,
+      write_address => slice0cost_read_words_12_memory_write_address, write_data => slice0cost_read_words_12_memory_write_data);
 
+  slice0cost_read_words_11_memory_read_enable <= true;
+  slice0cost_read_words_11_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_11_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
   slice0cost_read_words_11_memory_write_data <= to_unsigned(slice0cost_write_words_11, 24);
   slice0cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_11,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_11_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_11_memory_read_enable,
+      read_address => slice0cost_read_words_11_memory_read_address, read_data => slice0cost_read_words_11,
+      write_address => slice0cost_read_words_11_memory_write_address, write_data => slice0cost_read_words_11_memory_write_data);
 
+  slice0cost_read_words_10_memory_read_enable <= true;
+  slice0cost_read_words_10_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_10_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
   slice0cost_read_words_10_memory_write_data <= to_unsigned(slice0cost_write_words_10, 24);
   slice0cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_10,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_10_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_10_memory_read_enable,
+      read_address => slice0cost_read_words_10_memory_read_address, read_data => slice0cost_read_words_10,
+      write_address => slice0cost_read_words_10_memory_write_address, write_data => slice0cost_read_words_10_memory_write_data);
 
+  slice0cost_read_words_9_memory_read_enable <= true;
+  slice0cost_read_words_9_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_9_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
   slice0cost_read_words_9_memory_write_data <= to_unsigned(slice0cost_write_words_9, 24);
   slice0cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_9,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_9_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_9_memory_read_enable,
+      read_address => slice0cost_read_words_9_memory_read_address, read_data => slice0cost_read_words_9,
+      write_address => slice0cost_read_words_9_memory_write_address, write_data => slice0cost_read_words_9_memory_write_data);
 
+  slice0cost_read_words_8_memory_read_enable <= true;
+  slice0cost_read_words_8_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_8_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
   slice0cost_read_words_8_memory_write_data <= to_unsigned(slice0cost_write_words_8, 24);
   slice0cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_8,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_8_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_8_memory_read_enable,
+      read_address => slice0cost_read_words_8_memory_read_address, read_data => slice0cost_read_words_8,
+      write_address => slice0cost_read_words_8_memory_write_address, write_data => slice0cost_read_words_8_memory_write_data);
 
+  slice0cost_read_words_7_memory_read_enable <= true;
+  slice0cost_read_words_7_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_7_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
   slice0cost_read_words_7_memory_write_data <= to_unsigned(slice0cost_write_words_7, 24);
   slice0cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_7,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_7_memory_read_enable,
+      read_address => slice0cost_read_words_7_memory_read_address, read_data => slice0cost_read_words_7,
+      write_address => slice0cost_read_words_7_memory_write_address, write_data => slice0cost_read_words_7_memory_write_data);
 
+  slice0cost_read_words_6_memory_read_enable <= true;
+  slice0cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_6_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
   slice0cost_read_words_6_memory_write_data <= to_unsigned(slice0cost_write_words_6, 24);
   slice0cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_6,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_6_memory_read_enable,
+      read_address => slice0cost_read_words_6_memory_read_address, read_data => slice0cost_read_words_6,
+      write_address => slice0cost_read_words_6_memory_write_address, write_data => slice0cost_read_words_6_memory_write_data);
 
+  slice0cost_read_words_5_memory_read_enable <= true;
+  slice0cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_5_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
   slice0cost_read_words_5_memory_write_data <= to_unsigned(slice0cost_write_words_5, 24);
   slice0cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_5,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_5_memory_read_enable,
+      read_address => slice0cost_read_words_5_memory_read_address, read_data => slice0cost_read_words_5,
+      write_address => slice0cost_read_words_5_memory_write_address, write_data => slice0cost_read_words_5_memory_write_data);
 
+  slice0cost_read_words_4_memory_read_enable <= true;
+  slice0cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_4_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
   slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words_4, 24);
   slice0cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_4,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_4_memory_read_enable,
+      read_address => slice0cost_read_words_4_memory_read_address, read_data => slice0cost_read_words_4,
+      write_address => slice0cost_read_words_4_memory_write_address, write_data => slice0cost_read_words_4_memory_write_data);
 
+  slice0cost_read_words_3_memory_read_enable <= true;
+  slice0cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_3_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
   slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words_3, 24);
   slice0cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_3,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_3_memory_read_enable,
+      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words_3,
+      write_address => slice0cost_read_words_3_memory_write_address, write_data => slice0cost_read_words_3_memory_write_data);
 
+  slice0cost_read_words_2_memory_read_enable <= true;
+  slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_2_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
   slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words_2, 24);
   slice0cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_2,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
+      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words_2,
+      write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
 
+  slice0cost_read_words_1_memory_read_enable <= true;
+  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
   slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 24);
   slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
+      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words_1,
+      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
 
+  slice0cost_read_words_0_memory_read_enable <= true;
+  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_change_column, 10);
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 24);
   slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
+      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words_0,
+      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_2_memory_read_enable <= true;
+  rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 10);
+  rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 10);
   rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words_2, 8);
   rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 8)
+    generic map (depth => 640, width => 8, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
+      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words_2,
+      write_address => rows_search_rows_read_words_2_memory_write_address, write_data => rows_search_rows_read_words_2_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 10);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 10);
   rows_search_rows_read_words_1_memory_write_data <= rows_search_rows_write_words_1;
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 32)
+    generic map (depth => 640, width => 32, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 10);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 10);
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32)
+    generic map (depth => 640, width => 32, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_2_memory_read_enable <= true;
+  rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 10);
+  rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 10);
   rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words_2, 8);
   rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 8)
+    generic map (depth => 640, width => 8, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
+      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words_2,
+      write_address => rows_reference_rows_read_words_2_memory_write_address, write_data => rows_reference_rows_read_words_2_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 10);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 10);
   rows_reference_rows_read_words_1_memory_write_data <= rows_reference_rows_write_words_1;
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 32)
+    generic map (depth => 640, width => 32, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 10);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 10);
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32)
+    generic map (depth => 640, width => 32, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 7);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 7);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 128, width => 8)
+    generic map (depth => 128, width => 8, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner1_best_cost_0_0_is_less : boolean;
@@ -2720,16 +3566,27 @@ begin
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= 0 when in_start_of_frame and in_valid else (raster_place_group +
-        as_number(((raster_place_group /= 484) and raster_place_group_is_equal and in_valid))) mod 512;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= 0;
+      else
+        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 484) and
+          raster_place_group_is_equal and in_valid))) mod 512;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 1024;
+        if raster_place_group_is_equal or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 1024;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 127 else (delay_ring_read_address + 1) mod 128;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 127 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 128;
+        end if;
       end if;
       delay_tag_first_cost_is_equal := raster_place_column = 127;
       delay_ahead_0 <= raster_features_search_0;
@@ -2782,10 +3639,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_newest_0 when rows_ready_inside_1 else 0;
-      rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_1 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_row_start <= rows_ready_tag_row_start;
       rows_tag_first_group <= rows_ready_tag_first_group;
@@ -2795,6 +3648,20 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
+        rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_newest_0;
+        rows_reference_1 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= rows_search_rows_ready_words_1(7 downto 0) &
           rows_search_rows_ready_words_0(31 downto 8);
@@ -2875,81 +3742,256 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 mod 4096;
-      slice0cost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_0 +
-        slice0cost_column_0_0_choice) mod 4096;
-      slice0cost_column_0_1_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 / 4096;
-      slice0cost_column_0_1_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_1 +
-        slice0cost_column_0_1_choice) mod 4096;
-      slice0cost_column_0_2_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1 mod 4096;
-      slice0cost_column_0_2_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_2 +
-        slice0cost_column_0_2_choice) mod 4096;
-      slice0cost_column_0_3_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1 / 4096;
-      slice0cost_column_0_3_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_3 +
-        slice0cost_column_0_3_choice) mod 4096;
-      slice0cost_column_0_4_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_2 mod 4096;
-      slice0cost_column_0_4_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_4 +
-        slice0cost_column_0_4_choice) mod 4096;
-      slice0cost_column_0_5_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_2 / 4096;
-      slice0cost_column_0_5_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_5 +
-        slice0cost_column_0_5_choice) mod 4096;
-      slice0cost_column_0_6_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_3 mod 4096;
-      slice0cost_column_0_6_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_6 +
-        slice0cost_column_0_6_choice) mod 4096;
-      slice0cost_column_0_7_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_3 / 4096;
-      slice0cost_column_0_7_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_7 +
-        slice0cost_column_0_7_choice) mod 4096;
-      slice0cost_column_0_8_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_4 mod 4096;
-      slice0cost_column_0_8_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_8 +
-        slice0cost_column_0_8_choice) mod 4096;
-      slice0cost_column_0_9_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_4 / 4096;
-      slice0cost_column_0_9_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_9 +
-        slice0cost_column_0_9_choice) mod 4096;
-      slice0cost_column_0_10_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_5 mod 4096;
-      slice0cost_column_0_10_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_10 +
-        slice0cost_column_0_10_choice) mod 4096;
-      slice0cost_column_0_11_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_5 / 4096;
-      slice0cost_column_0_11_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_11 +
-        slice0cost_column_0_11_choice) mod 4096;
-      slice0cost_column_0_12_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_6 mod 4096;
-      slice0cost_column_0_12_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_12 +
-        slice0cost_column_0_12_choice) mod 4096;
-      slice0cost_column_0_13_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_6 / 4096;
-      slice0cost_column_0_13_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_13 +
-        slice0cost_column_0_13_choice) mod 4096;
-      slice0cost_column_0_14_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_7 mod 4096;
-      slice0cost_column_0_14_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_14 +
-        slice0cost_column_0_14_choice) mod 4096;
-      slice0cost_column_0_15_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_7 / 4096;
-      slice0cost_column_0_15_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_15 +
-        slice0cost_column_0_15_choice) mod 4096;
-      slice0cost_column_0_16_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_8 mod 4096;
-      slice0cost_column_0_16_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_16 +
-        slice0cost_column_0_16_choice) mod 4096;
-      slice0cost_column_0_17_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_8 / 4096;
-      slice0cost_column_0_17_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_17 +
-        slice0cost_column_0_17_choice) mod 4096;
-      slice0cost_column_0_18_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_9 mod 4096;
-      slice0cost_column_0_18_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_18 +
-        slice0cost_column_0_18_choice) mod 4096;
-      slice0cost_column_0_19_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_9 / 4096;
-      slice0cost_column_0_19_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_19 +
-        slice0cost_column_0_19_choice) mod 4096;
-      slice0cost_column_0_20_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_10 mod 4096;
-      slice0cost_column_0_20_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_20 +
-        slice0cost_column_0_20_choice) mod 4096;
-      slice0cost_column_0_21_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_10 / 4096;
-      slice0cost_column_0_21_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_21 +
-        slice0cost_column_0_21_choice) mod 4096;
-      slice0cost_column_0_22_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_11 mod 4096;
-      slice0cost_column_0_22_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_22 +
-        slice0cost_column_0_22_choice) mod 4096;
-      slice0cost_column_0_23_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_11 / 4096;
-      slice0cost_column_0_23_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_23 +
-        slice0cost_column_0_23_choice) mod 4096;
-      slice0cost_column_0_24_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_12;
-      slice0cost_column_0_24_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_24 +
-        slice0cost_column_0_24_choice) mod 4096;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_0_choice := 0;
+      else
+        slice0cost_column_0_0_choice := slice0cost_ready_words_0 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_0_choice_2 := 0;
+      else
+        slice0cost_column_0_0_choice_2 := (slice0cost_change_0_0 + slice0cost_column_0_0_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_1_choice := 0;
+      else
+        slice0cost_column_0_1_choice := slice0cost_ready_words_0 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_1_choice_2 := 0;
+      else
+        slice0cost_column_0_1_choice_2 := (slice0cost_change_0_1 + slice0cost_column_0_1_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_2_choice := 0;
+      else
+        slice0cost_column_0_2_choice := slice0cost_ready_words_1 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_2_choice_2 := 0;
+      else
+        slice0cost_column_0_2_choice_2 := (slice0cost_change_0_2 + slice0cost_column_0_2_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_3_choice := 0;
+      else
+        slice0cost_column_0_3_choice := slice0cost_ready_words_1 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_3_choice_2 := 0;
+      else
+        slice0cost_column_0_3_choice_2 := (slice0cost_change_0_3 + slice0cost_column_0_3_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_4_choice := 0;
+      else
+        slice0cost_column_0_4_choice := slice0cost_ready_words_2 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_4_choice_2 := 0;
+      else
+        slice0cost_column_0_4_choice_2 := (slice0cost_change_0_4 + slice0cost_column_0_4_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_5_choice := 0;
+      else
+        slice0cost_column_0_5_choice := slice0cost_ready_words_2 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_5_choice_2 := 0;
+      else
+        slice0cost_column_0_5_choice_2 := (slice0cost_change_0_5 + slice0cost_column_0_5_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_6_choice := 0;
+      else
+        slice0cost_column_0_6_choice := slice0cost_ready_words_3 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_6_choice_2 := 0;
+      else
+        slice0cost_column_0_6_choice_2 := (slice0cost_change_0_6 + slice0cost_column_0_6_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_7_choice := 0;
+      else
+        slice0cost_column_0_7_choice := slice0cost_ready_words_3 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_7_choice_2 := 0;
+      else
+        slice0cost_column_0_7_choice_2 := (slice0cost_change_0_7 + slice0cost_column_0_7_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_8_choice := 0;
+      else
+        slice0cost_column_0_8_choice := slice0cost_ready_words_4 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_8_choice_2 := 0;
+      else
+        slice0cost_column_0_8_choice_2 := (slice0cost_change_0_8 + slice0cost_column_0_8_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_9_choice := 0;
+      else
+        slice0cost_column_0_9_choice := slice0cost_ready_words_4 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_9_choice_2 := 0;
+      else
+        slice0cost_column_0_9_choice_2 := (slice0cost_change_0_9 + slice0cost_column_0_9_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_10_choice := 0;
+      else
+        slice0cost_column_0_10_choice := slice0cost_ready_words_5 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_10_choice_2 := 0;
+      else
+        slice0cost_column_0_10_choice_2 := (slice0cost_change_0_10 + slice0cost_column_0_10_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_11_choice := 0;
+      else
+        slice0cost_column_0_11_choice := slice0cost_ready_words_5 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_11_choice_2 := 0;
+      else
+        slice0cost_column_0_11_choice_2 := (slice0cost_change_0_11 + slice0cost_column_0_11_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_12_choice := 0;
+      else
+        slice0cost_column_0_12_choice := slice0cost_ready_words_6 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_12_choice_2 := 0;
+      else
+        slice0cost_column_0_12_choice_2 := (slice0cost_change_0_12 + slice0cost_column_0_12_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_13_choice := 0;
+      else
+        slice0cost_column_0_13_choice := slice0cost_ready_words_6 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_13_choice_2 := 0;
+      else
+        slice0cost_column_0_13_choice_2 := (slice0cost_change_0_13 + slice0cost_column_0_13_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_14_choice := 0;
+      else
+        slice0cost_column_0_14_choice := slice0cost_ready_words_7 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_14_choice_2 := 0;
+      else
+        slice0cost_column_0_14_choice_2 := (slice0cost_change_0_14 + slice0cost_column_0_14_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_15_choice := 0;
+      else
+        slice0cost_column_0_15_choice := slice0cost_ready_words_7 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_15_choice_2 := 0;
+      else
+        slice0cost_column_0_15_choice_2 := (slice0cost_change_0_15 + slice0cost_column_0_15_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_16_choice := 0;
+      else
+        slice0cost_column_0_16_choice := slice0cost_ready_words_8 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_16_choice_2 := 0;
+      else
+        slice0cost_column_0_16_choice_2 := (slice0cost_change_0_16 + slice0cost_column_0_16_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_17_choice := 0;
+      else
+        slice0cost_column_0_17_choice := slice0cost_ready_words_8 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_17_choice_2 := 0;
+      else
+        slice0cost_column_0_17_choice_2 := (slice0cost_change_0_17 + slice0cost_column_0_17_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_18_choice := 0;
+      else
+        slice0cost_column_0_18_choice := slice0cost_ready_words_9 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_18_choice_2 := 0;
+      else
+        slice0cost_column_0_18_choice_2 := (slice0cost_change_0_18 + slice0cost_column_0_18_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_19_choice := 0;
+      else
+        slice0cost_column_0_19_choice := slice0cost_ready_words_9 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_19_choice_2 := 0;
+      else
+        slice0cost_column_0_19_choice_2 := (slice0cost_change_0_19 + slice0cost_column_0_19_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_20_choice := 0;
+      else
+        slice0cost_column_0_20_choice := slice0cost_ready_words_10 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_20_choice_2 := 0;
+      else
+        slice0cost_column_0_20_choice_2 := (slice0cost_change_0_20 + slice0cost_column_0_20_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_21_choice := 0;
+      else
+        slice0cost_column_0_21_choice := slice0cost_ready_words_10 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_21_choice_2 := 0;
+      else
+        slice0cost_column_0_21_choice_2 := (slice0cost_change_0_21 + slice0cost_column_0_21_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_22_choice := 0;
+      else
+        slice0cost_column_0_22_choice := slice0cost_ready_words_11 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_22_choice_2 := 0;
+      else
+        slice0cost_column_0_22_choice_2 := (slice0cost_change_0_22 + slice0cost_column_0_22_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_23_choice := 0;
+      else
+        slice0cost_column_0_23_choice := slice0cost_ready_words_11 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_23_choice_2 := 0;
+      else
+        slice0cost_column_0_23_choice_2 := (slice0cost_change_0_23 + slice0cost_column_0_23_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_24_choice := 0;
+      else
+        slice0cost_column_0_24_choice := slice0cost_ready_words_12;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_24_choice_2 := 0;
+      else
+        slice0cost_column_0_24_choice_2 := (slice0cost_change_0_24 + slice0cost_column_0_24_choice) mod 4096;
+      end if;
       slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -3201,14 +4243,25 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
       if slice0shift_tag_valid then
-        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 1024;
+        if slice0shift_tag_row_start then
+          slice0cost_read_column <= 0;
+        else
+          slice0cost_read_column <= (slice0cost_read_column + 1) mod 1024;
+        end if;
       end if;
       if slice0cost_pixels_first_tag_valid then
-        slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
-          mod 1024;
+        if slice0cost_pixels_first_tag_row_start then
+          slice0cost_change_column <= 0;
+        else
+          slice0cost_change_column <= (slice0cost_change_column + 1) mod 1024;
+        end if;
       end if;
       if slice0cost_pixels_tag_valid then
-        slice0cost_ready_column <= 0 when slice0cost_pixels_tag_row_start else (slice0cost_ready_column + 1) mod 1024;
+        if slice0cost_pixels_tag_row_start then
+          slice0cost_ready_column <= 0;
+        else
+          slice0cost_ready_column <= (slice0cost_ready_column + 1) mod 1024;
+        end if;
       end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_words_0 <= (slice0cost_column_0_1_choice_2 * 4096) + slice0cost_column_0_0_choice_2;
@@ -3227,9 +4280,12 @@ begin
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 9 else
-          (slice0window_ring_read_address + 1) mod 16;
         slice0window_ring_write_address <= slice0window_ring_read_address;
+        if slice0window_ring_read_address = 9 then
+          slice0window_ring_read_address <= 0;
+        else
+          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice0window_entering_tag_leaves_window then
         slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(11 downto 0));
@@ -3429,31 +4485,131 @@ begin
       slice0window_centre_start_of_frame_2 <= slice2window_centre_start_of_frame_0;
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_tag_valid <= slice0window_change_tag_valid;
-      slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
-      slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
-      slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
-      slice0window_sum_0_3_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_3;
-      slice0window_sum_0_4_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_4;
-      slice0window_sum_0_5_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_5;
-      slice0window_sum_0_6_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_6;
-      slice0window_sum_0_7_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_7;
-      slice0window_sum_0_8_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_8;
-      slice0window_sum_0_9_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_9;
-      slice0window_sum_0_10_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_10;
-      slice0window_sum_0_11_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_11;
-      slice0window_sum_0_12_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_12;
-      slice0window_sum_0_13_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_13;
-      slice0window_sum_0_14_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_14;
-      slice0window_sum_0_15_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_15;
-      slice0window_sum_0_16_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_16;
-      slice0window_sum_0_17_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_17;
-      slice0window_sum_0_18_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_18;
-      slice0window_sum_0_19_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_19;
-      slice0window_sum_0_20_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_20;
-      slice0window_sum_0_21_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_21;
-      slice0window_sum_0_22_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_22;
-      slice0window_sum_0_23_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_23;
-      slice0window_sum_0_24_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_24;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_0_choice := 0;
+      else
+        slice0window_sum_0_0_choice := slice0window_sum_0_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_1_choice := 0;
+      else
+        slice0window_sum_0_1_choice := slice0window_sum_0_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_2_choice := 0;
+      else
+        slice0window_sum_0_2_choice := slice0window_sum_0_2;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_3_choice := 0;
+      else
+        slice0window_sum_0_3_choice := slice0window_sum_0_3;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_4_choice := 0;
+      else
+        slice0window_sum_0_4_choice := slice0window_sum_0_4;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_5_choice := 0;
+      else
+        slice0window_sum_0_5_choice := slice0window_sum_0_5;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_6_choice := 0;
+      else
+        slice0window_sum_0_6_choice := slice0window_sum_0_6;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_7_choice := 0;
+      else
+        slice0window_sum_0_7_choice := slice0window_sum_0_7;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_8_choice := 0;
+      else
+        slice0window_sum_0_8_choice := slice0window_sum_0_8;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_9_choice := 0;
+      else
+        slice0window_sum_0_9_choice := slice0window_sum_0_9;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_10_choice := 0;
+      else
+        slice0window_sum_0_10_choice := slice0window_sum_0_10;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_11_choice := 0;
+      else
+        slice0window_sum_0_11_choice := slice0window_sum_0_11;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_12_choice := 0;
+      else
+        slice0window_sum_0_12_choice := slice0window_sum_0_12;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_13_choice := 0;
+      else
+        slice0window_sum_0_13_choice := slice0window_sum_0_13;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_14_choice := 0;
+      else
+        slice0window_sum_0_14_choice := slice0window_sum_0_14;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_15_choice := 0;
+      else
+        slice0window_sum_0_15_choice := slice0window_sum_0_15;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_16_choice := 0;
+      else
+        slice0window_sum_0_16_choice := slice0window_sum_0_16;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_17_choice := 0;
+      else
+        slice0window_sum_0_17_choice := slice0window_sum_0_17;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_18_choice := 0;
+      else
+        slice0window_sum_0_18_choice := slice0window_sum_0_18;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_19_choice := 0;
+      else
+        slice0window_sum_0_19_choice := slice0window_sum_0_19;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_20_choice := 0;
+      else
+        slice0window_sum_0_20_choice := slice0window_sum_0_20;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_21_choice := 0;
+      else
+        slice0window_sum_0_21_choice := slice0window_sum_0_21;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_22_choice := 0;
+      else
+        slice0window_sum_0_22_choice := slice0window_sum_0_22;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_23_choice := 0;
+      else
+        slice0window_sum_0_23_choice := slice0window_sum_0_23;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_24_choice := 0;
+      else
+        slice0window_sum_0_24_choice := slice0window_sum_0_24;
+      end if;
       if slice0window_change_tag_valid then
         slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 32768;
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 32768;
@@ -3494,45 +4650,92 @@ begin
       slice0winner1_best_cost_0_9_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
       slice0winner1_best_cost_0_10_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
       slice0winner1_best_cost_0_11_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
-        slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
-        slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
-        slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
-        slice0window_sum_0_14;
-      slice0winner1_best_cost_0_8 <= slice0window_sum_0_17 when slice0winner1_best_cost_0_8_is_less else
-        slice0window_sum_0_16;
-      slice0winner1_best_cost_0_9 <= slice0window_sum_0_19 when slice0winner1_best_cost_0_9_is_less else
-        slice0window_sum_0_18;
-      slice0winner1_best_cost_0_10 <= slice0window_sum_0_21 when slice0winner1_best_cost_0_10_is_less else
-        slice0window_sum_0_20;
-      slice0winner1_best_cost_0_11 <= slice0window_sum_0_23 when slice0winner1_best_cost_0_11_is_less else
-        slice0window_sum_0_22;
       slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
-      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
-      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
-      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
-      slice0winner1_best_index_0_8 <= 17 when slice0winner1_best_cost_0_8_is_less else 16;
-      slice0winner1_best_index_0_9 <= 19 when slice0winner1_best_cost_0_9_is_less else 18;
-      slice0winner1_best_index_0_10 <= 21 when slice0winner1_best_cost_0_10_is_less else 20;
-      slice0winner1_best_index_0_11 <= 23 when slice0winner1_best_cost_0_11_is_less else 22;
       slice0winner1_best_index_0_12 <= 24;
       slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+      end if;
+      if slice0winner1_best_cost_0_1_is_less then
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_index_0_1 <= 3;
+      else
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_index_0_1 <= 2;
+      end if;
+      if slice0winner1_best_cost_0_2_is_less then
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_index_0_2 <= 5;
+      else
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_index_0_2 <= 4;
+      end if;
+      if slice0winner1_best_cost_0_3_is_less then
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+        slice0winner1_best_index_0_3 <= 7;
+      else
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_index_0_3 <= 6;
+      end if;
+      if slice0winner1_best_cost_0_4_is_less then
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_9;
+        slice0winner1_best_index_0_4 <= 9;
+      else
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_8;
+        slice0winner1_best_index_0_4 <= 8;
+      end if;
+      if slice0winner1_best_cost_0_5_is_less then
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_11;
+        slice0winner1_best_index_0_5 <= 11;
+      else
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_10;
+        slice0winner1_best_index_0_5 <= 10;
+      end if;
+      if slice0winner1_best_cost_0_6_is_less then
+        slice0winner1_best_cost_0_6 <= slice0window_sum_0_13;
+        slice0winner1_best_index_0_6 <= 13;
+      else
+        slice0winner1_best_cost_0_6 <= slice0window_sum_0_12;
+        slice0winner1_best_index_0_6 <= 12;
+      end if;
+      if slice0winner1_best_cost_0_7_is_less then
+        slice0winner1_best_cost_0_7 <= slice0window_sum_0_15;
+        slice0winner1_best_index_0_7 <= 15;
+      else
+        slice0winner1_best_cost_0_7 <= slice0window_sum_0_14;
+        slice0winner1_best_index_0_7 <= 14;
+      end if;
+      if slice0winner1_best_cost_0_8_is_less then
+        slice0winner1_best_cost_0_8 <= slice0window_sum_0_17;
+        slice0winner1_best_index_0_8 <= 17;
+      else
+        slice0winner1_best_cost_0_8 <= slice0window_sum_0_16;
+        slice0winner1_best_index_0_8 <= 16;
+      end if;
+      if slice0winner1_best_cost_0_9_is_less then
+        slice0winner1_best_cost_0_9 <= slice0window_sum_0_19;
+        slice0winner1_best_index_0_9 <= 19;
+      else
+        slice0winner1_best_cost_0_9 <= slice0window_sum_0_18;
+        slice0winner1_best_index_0_9 <= 18;
+      end if;
+      if slice0winner1_best_cost_0_10_is_less then
+        slice0winner1_best_cost_0_10 <= slice0window_sum_0_21;
+        slice0winner1_best_index_0_10 <= 21;
+      else
+        slice0winner1_best_cost_0_10 <= slice0window_sum_0_20;
+        slice0winner1_best_index_0_10 <= 20;
+      end if;
+      if slice0winner1_best_cost_0_11_is_less then
+        slice0winner1_best_cost_0_11 <= slice0window_sum_0_23;
+        slice0winner1_best_index_0_11 <= 23;
+      else
+        slice0winner1_best_cost_0_11 <= slice0window_sum_0_22;
+        slice0winner1_best_index_0_11 <= 22;
+      end if;
       if slice0winner4_tag_valid then
         slice0winner1_tag_start_of_frame <= slice2window_centre_start_of_frame_2;
       end if;
@@ -3543,64 +4746,97 @@ begin
       slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
       slice0winner2_best_cost_0_4_is_less := (slice0winner1_best_cost_0_9 - slice0winner1_best_cost_0_8) < 0;
       slice0winner2_best_cost_0_5_is_less := (slice0winner1_best_cost_0_11 - slice0winner1_best_cost_0_10) < 0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_cost_0_6;
-      slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9 when slice0winner2_best_cost_0_4_is_less else
-        slice0winner1_best_cost_0_8;
-      slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11 when slice0winner2_best_cost_0_5_is_less else
-        slice0winner1_best_cost_0_10;
       slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
-      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_index_0_4;
-      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_index_0_6;
-      slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9 when slice0winner2_best_cost_0_4_is_less else
-        slice0winner1_best_index_0_8;
-      slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11 when slice0winner2_best_cost_0_5_is_less else
-        slice0winner1_best_index_0_10;
       slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+      end if;
+      if slice0winner2_best_cost_0_1_is_less then
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
+      else
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+      end if;
+      if slice0winner2_best_cost_0_2_is_less then
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5;
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
+      else
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
+      end if;
+      if slice0winner2_best_cost_0_3_is_less then
+        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7;
+        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
+      else
+        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_6;
+        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
+      end if;
+      if slice0winner2_best_cost_0_4_is_less then
+        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9;
+        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9;
+      else
+        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_8;
+        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_8;
+      end if;
+      if slice0winner2_best_cost_0_5_is_less then
+        slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11;
+        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11;
+      else
+        slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_10;
+        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_10;
+      end if;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
       slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
       slice0winner3_best_cost_0_2_is_less := (slice0winner2_best_cost_0_5 - slice0winner2_best_cost_0_4) < 0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_cost_0_2;
-      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5 when slice0winner3_best_cost_0_2_is_less else
-        slice0winner2_best_cost_0_4;
       slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_index_0_2;
-      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5 when slice0winner3_best_cost_0_2_is_less else
-        slice0winner2_best_index_0_4;
       slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
+      if slice0winner3_best_cost_0_0_is_less then
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+      end if;
+      if slice0winner3_best_cost_0_1_is_less then
+        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3;
+        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
+      else
+        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
+        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
+      end if;
+      if slice0winner3_best_cost_0_2_is_less then
+        slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5;
+        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5;
+      else
+        slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_4;
+        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_4;
+      end if;
       -- slice0winner4
       slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
       slice0winner4_best_cost_0_1_is_less := (slice0winner3_best_cost_0_3 - slice0winner3_best_cost_0_2) < 0;
-      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_cost_0_0;
-      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3 when slice0winner4_best_cost_0_1_is_less else
-        slice0winner3_best_cost_0_2;
-      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_index_0_0;
-      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_0_1_is_less else
-        slice0winner3_best_index_0_2;
       slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      if slice0winner4_best_cost_0_0_is_less then
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
+      else
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
+      end if;
+      if slice0winner4_best_cost_0_1_is_less then
+        slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3;
+        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_2;
+        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_2;
+      end if;
       if slice0winner4_tag_valid then
         slice0winner4_tag_output_column <= slice5window_centre_output_column_2;
         slice0winner4_tag_start_of_frame <= slice5window_centre_start_of_frame_2;
@@ -3608,14 +4844,17 @@ begin
       end if;
       -- slice0winner5
       slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0_1 - slice0winner4_best_cost_0_0) < 0;
-      slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1 when slice0winner5_best_cost_0_0_is_less else
-        slice0winner4_best_cost_0_0;
-      slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice0winner5_best_cost_0_0_is_less else
-        slice0winner4_best_index_0_0;
       slice0winner5_tag_valid <= slice0winner4_tag_valid;
       slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
       slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
       slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
+      if slice0winner5_best_cost_0_0_is_less then
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1;
+        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1;
+      else
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_0;
+        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_0;
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner5_best_index_0_0 + 103;
@@ -3681,81 +4920,256 @@ begin
       slice1shift_search_out_0 <= slice1shift_search_0_0;
       slice1shift_search_out_1 <= slice1shift_search_1_0;
       -- slice1cost
-      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 mod 4096;
-      slice1cost_column_0_0_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_0 +
-        slice1cost_column_0_0_choice) mod 4096;
-      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 / 4096;
-      slice1cost_column_0_1_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_1 +
-        slice1cost_column_0_1_choice) mod 4096;
-      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 mod 4096;
-      slice1cost_column_0_2_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_2 +
-        slice1cost_column_0_2_choice) mod 4096;
-      slice1cost_column_0_3_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 / 4096;
-      slice1cost_column_0_3_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_3 +
-        slice1cost_column_0_3_choice) mod 4096;
-      slice1cost_column_0_4_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_2 mod 4096;
-      slice1cost_column_0_4_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_4 +
-        slice1cost_column_0_4_choice) mod 4096;
-      slice1cost_column_0_5_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_2 / 4096;
-      slice1cost_column_0_5_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_5 +
-        slice1cost_column_0_5_choice) mod 4096;
-      slice1cost_column_0_6_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_3 mod 4096;
-      slice1cost_column_0_6_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_6 +
-        slice1cost_column_0_6_choice) mod 4096;
-      slice1cost_column_0_7_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_3 / 4096;
-      slice1cost_column_0_7_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_7 +
-        slice1cost_column_0_7_choice) mod 4096;
-      slice1cost_column_0_8_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_4 mod 4096;
-      slice1cost_column_0_8_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_8 +
-        slice1cost_column_0_8_choice) mod 4096;
-      slice1cost_column_0_9_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_4 / 4096;
-      slice1cost_column_0_9_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_9 +
-        slice1cost_column_0_9_choice) mod 4096;
-      slice1cost_column_0_10_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_5 mod 4096;
-      slice1cost_column_0_10_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_10 +
-        slice1cost_column_0_10_choice) mod 4096;
-      slice1cost_column_0_11_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_5 / 4096;
-      slice1cost_column_0_11_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_11 +
-        slice1cost_column_0_11_choice) mod 4096;
-      slice1cost_column_0_12_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_6 mod 4096;
-      slice1cost_column_0_12_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_12 +
-        slice1cost_column_0_12_choice) mod 4096;
-      slice1cost_column_0_13_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_6 / 4096;
-      slice1cost_column_0_13_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_13 +
-        slice1cost_column_0_13_choice) mod 4096;
-      slice1cost_column_0_14_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_7 mod 4096;
-      slice1cost_column_0_14_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_14 +
-        slice1cost_column_0_14_choice) mod 4096;
-      slice1cost_column_0_15_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_7 / 4096;
-      slice1cost_column_0_15_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_15 +
-        slice1cost_column_0_15_choice) mod 4096;
-      slice1cost_column_0_16_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_8 mod 4096;
-      slice1cost_column_0_16_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_16 +
-        slice1cost_column_0_16_choice) mod 4096;
-      slice1cost_column_0_17_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_8 / 4096;
-      slice1cost_column_0_17_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_17 +
-        slice1cost_column_0_17_choice) mod 4096;
-      slice1cost_column_0_18_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_9 mod 4096;
-      slice1cost_column_0_18_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_18 +
-        slice1cost_column_0_18_choice) mod 4096;
-      slice1cost_column_0_19_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_9 / 4096;
-      slice1cost_column_0_19_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_19 +
-        slice1cost_column_0_19_choice) mod 4096;
-      slice1cost_column_0_20_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_10 mod 4096;
-      slice1cost_column_0_20_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_20 +
-        slice1cost_column_0_20_choice) mod 4096;
-      slice1cost_column_0_21_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_10 / 4096;
-      slice1cost_column_0_21_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_21 +
-        slice1cost_column_0_21_choice) mod 4096;
-      slice1cost_column_0_22_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_11 mod 4096;
-      slice1cost_column_0_22_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_22 +
-        slice1cost_column_0_22_choice) mod 4096;
-      slice1cost_column_0_23_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_11 / 4096;
-      slice1cost_column_0_23_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_23 +
-        slice1cost_column_0_23_choice) mod 4096;
-      slice1cost_column_0_24_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_12;
-      slice1cost_column_0_24_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_24 +
-        slice1cost_column_0_24_choice) mod 4096;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_0_choice := 0;
+      else
+        slice1cost_column_0_0_choice := slice1cost_ready_words_0 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0_choice_2 := 0;
+      else
+        slice1cost_column_0_0_choice_2 := (slice1cost_change_0_0 + slice1cost_column_0_0_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_1_choice := 0;
+      else
+        slice1cost_column_0_1_choice := slice1cost_ready_words_0 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_1_choice_2 := 0;
+      else
+        slice1cost_column_0_1_choice_2 := (slice1cost_change_0_1 + slice1cost_column_0_1_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_2_choice := 0;
+      else
+        slice1cost_column_0_2_choice := slice1cost_ready_words_1 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_2_choice_2 := 0;
+      else
+        slice1cost_column_0_2_choice_2 := (slice1cost_change_0_2 + slice1cost_column_0_2_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_3_choice := 0;
+      else
+        slice1cost_column_0_3_choice := slice1cost_ready_words_1 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_3_choice_2 := 0;
+      else
+        slice1cost_column_0_3_choice_2 := (slice1cost_change_0_3 + slice1cost_column_0_3_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_4_choice := 0;
+      else
+        slice1cost_column_0_4_choice := slice1cost_ready_words_2 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_4_choice_2 := 0;
+      else
+        slice1cost_column_0_4_choice_2 := (slice1cost_change_0_4 + slice1cost_column_0_4_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_5_choice := 0;
+      else
+        slice1cost_column_0_5_choice := slice1cost_ready_words_2 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_5_choice_2 := 0;
+      else
+        slice1cost_column_0_5_choice_2 := (slice1cost_change_0_5 + slice1cost_column_0_5_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_6_choice := 0;
+      else
+        slice1cost_column_0_6_choice := slice1cost_ready_words_3 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_6_choice_2 := 0;
+      else
+        slice1cost_column_0_6_choice_2 := (slice1cost_change_0_6 + slice1cost_column_0_6_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_7_choice := 0;
+      else
+        slice1cost_column_0_7_choice := slice1cost_ready_words_3 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_7_choice_2 := 0;
+      else
+        slice1cost_column_0_7_choice_2 := (slice1cost_change_0_7 + slice1cost_column_0_7_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_8_choice := 0;
+      else
+        slice1cost_column_0_8_choice := slice1cost_ready_words_4 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_8_choice_2 := 0;
+      else
+        slice1cost_column_0_8_choice_2 := (slice1cost_change_0_8 + slice1cost_column_0_8_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_9_choice := 0;
+      else
+        slice1cost_column_0_9_choice := slice1cost_ready_words_4 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_9_choice_2 := 0;
+      else
+        slice1cost_column_0_9_choice_2 := (slice1cost_change_0_9 + slice1cost_column_0_9_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_10_choice := 0;
+      else
+        slice1cost_column_0_10_choice := slice1cost_ready_words_5 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_10_choice_2 := 0;
+      else
+        slice1cost_column_0_10_choice_2 := (slice1cost_change_0_10 + slice1cost_column_0_10_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_11_choice := 0;
+      else
+        slice1cost_column_0_11_choice := slice1cost_ready_words_5 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_11_choice_2 := 0;
+      else
+        slice1cost_column_0_11_choice_2 := (slice1cost_change_0_11 + slice1cost_column_0_11_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_12_choice := 0;
+      else
+        slice1cost_column_0_12_choice := slice1cost_ready_words_6 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_12_choice_2 := 0;
+      else
+        slice1cost_column_0_12_choice_2 := (slice1cost_change_0_12 + slice1cost_column_0_12_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_13_choice := 0;
+      else
+        slice1cost_column_0_13_choice := slice1cost_ready_words_6 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_13_choice_2 := 0;
+      else
+        slice1cost_column_0_13_choice_2 := (slice1cost_change_0_13 + slice1cost_column_0_13_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_14_choice := 0;
+      else
+        slice1cost_column_0_14_choice := slice1cost_ready_words_7 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_14_choice_2 := 0;
+      else
+        slice1cost_column_0_14_choice_2 := (slice1cost_change_0_14 + slice1cost_column_0_14_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_15_choice := 0;
+      else
+        slice1cost_column_0_15_choice := slice1cost_ready_words_7 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_15_choice_2 := 0;
+      else
+        slice1cost_column_0_15_choice_2 := (slice1cost_change_0_15 + slice1cost_column_0_15_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_16_choice := 0;
+      else
+        slice1cost_column_0_16_choice := slice1cost_ready_words_8 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_16_choice_2 := 0;
+      else
+        slice1cost_column_0_16_choice_2 := (slice1cost_change_0_16 + slice1cost_column_0_16_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_17_choice := 0;
+      else
+        slice1cost_column_0_17_choice := slice1cost_ready_words_8 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_17_choice_2 := 0;
+      else
+        slice1cost_column_0_17_choice_2 := (slice1cost_change_0_17 + slice1cost_column_0_17_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_18_choice := 0;
+      else
+        slice1cost_column_0_18_choice := slice1cost_ready_words_9 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_18_choice_2 := 0;
+      else
+        slice1cost_column_0_18_choice_2 := (slice1cost_change_0_18 + slice1cost_column_0_18_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_19_choice := 0;
+      else
+        slice1cost_column_0_19_choice := slice1cost_ready_words_9 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_19_choice_2 := 0;
+      else
+        slice1cost_column_0_19_choice_2 := (slice1cost_change_0_19 + slice1cost_column_0_19_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_20_choice := 0;
+      else
+        slice1cost_column_0_20_choice := slice1cost_ready_words_10 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_20_choice_2 := 0;
+      else
+        slice1cost_column_0_20_choice_2 := (slice1cost_change_0_20 + slice1cost_column_0_20_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_21_choice := 0;
+      else
+        slice1cost_column_0_21_choice := slice1cost_ready_words_10 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_21_choice_2 := 0;
+      else
+        slice1cost_column_0_21_choice_2 := (slice1cost_change_0_21 + slice1cost_column_0_21_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_22_choice := 0;
+      else
+        slice1cost_column_0_22_choice := slice1cost_ready_words_11 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_22_choice_2 := 0;
+      else
+        slice1cost_column_0_22_choice_2 := (slice1cost_change_0_22 + slice1cost_column_0_22_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_23_choice := 0;
+      else
+        slice1cost_column_0_23_choice := slice1cost_ready_words_11 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_23_choice_2 := 0;
+      else
+        slice1cost_column_0_23_choice_2 := (slice1cost_change_0_23 + slice1cost_column_0_23_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_24_choice := 0;
+      else
+        slice1cost_column_0_24_choice := slice1cost_ready_words_12;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_24_choice_2 := 0;
+      else
+        slice1cost_column_0_24_choice_2 := (slice1cost_change_0_24 + slice1cost_column_0_24_choice) mod 4096;
+      end if;
       slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_pixels_first_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -3990,9 +5404,12 @@ begin
       end if;
       -- slice1window
       if slice0window_entering_tag_valid then
-        slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 9 else
-          (slice1window_ring_read_address + 1) mod 16;
         slice1window_ring_write_address <= slice1window_ring_read_address;
+        if slice1window_ring_read_address = 9 then
+          slice1window_ring_read_address <= 0;
+        else
+          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice0window_change_tag_leaves_window then
         slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(11 downto 0));
@@ -4177,31 +5594,131 @@ begin
       slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
       slice1window_centre_start_of_frame_2 <= slice0window_centre_start_of_frame_2;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
-      slice1window_sum_0_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_0;
-      slice1window_sum_0_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_1;
-      slice1window_sum_0_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_2;
-      slice1window_sum_0_3_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_3;
-      slice1window_sum_0_4_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_4;
-      slice1window_sum_0_5_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_5;
-      slice1window_sum_0_6_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_6;
-      slice1window_sum_0_7_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_7;
-      slice1window_sum_0_8_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_8;
-      slice1window_sum_0_9_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_9;
-      slice1window_sum_0_10_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_10;
-      slice1window_sum_0_11_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_11;
-      slice1window_sum_0_12_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_12;
-      slice1window_sum_0_13_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_13;
-      slice1window_sum_0_14_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_14;
-      slice1window_sum_0_15_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_15;
-      slice1window_sum_0_16_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_16;
-      slice1window_sum_0_17_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_17;
-      slice1window_sum_0_18_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_18;
-      slice1window_sum_0_19_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_19;
-      slice1window_sum_0_20_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_20;
-      slice1window_sum_0_21_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_21;
-      slice1window_sum_0_22_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_22;
-      slice1window_sum_0_23_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_23;
-      slice1window_sum_0_24_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_24;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_0_choice := 0;
+      else
+        slice1window_sum_0_0_choice := slice1window_sum_0_0;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_1_choice := 0;
+      else
+        slice1window_sum_0_1_choice := slice1window_sum_0_1;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_2_choice := 0;
+      else
+        slice1window_sum_0_2_choice := slice1window_sum_0_2;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_3_choice := 0;
+      else
+        slice1window_sum_0_3_choice := slice1window_sum_0_3;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_4_choice := 0;
+      else
+        slice1window_sum_0_4_choice := slice1window_sum_0_4;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_5_choice := 0;
+      else
+        slice1window_sum_0_5_choice := slice1window_sum_0_5;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_6_choice := 0;
+      else
+        slice1window_sum_0_6_choice := slice1window_sum_0_6;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_7_choice := 0;
+      else
+        slice1window_sum_0_7_choice := slice1window_sum_0_7;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_8_choice := 0;
+      else
+        slice1window_sum_0_8_choice := slice1window_sum_0_8;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_9_choice := 0;
+      else
+        slice1window_sum_0_9_choice := slice1window_sum_0_9;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_10_choice := 0;
+      else
+        slice1window_sum_0_10_choice := slice1window_sum_0_10;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_11_choice := 0;
+      else
+        slice1window_sum_0_11_choice := slice1window_sum_0_11;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_12_choice := 0;
+      else
+        slice1window_sum_0_12_choice := slice1window_sum_0_12;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_13_choice := 0;
+      else
+        slice1window_sum_0_13_choice := slice1window_sum_0_13;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_14_choice := 0;
+      else
+        slice1window_sum_0_14_choice := slice1window_sum_0_14;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_15_choice := 0;
+      else
+        slice1window_sum_0_15_choice := slice1window_sum_0_15;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_16_choice := 0;
+      else
+        slice1window_sum_0_16_choice := slice1window_sum_0_16;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_17_choice := 0;
+      else
+        slice1window_sum_0_17_choice := slice1window_sum_0_17;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_18_choice := 0;
+      else
+        slice1window_sum_0_18_choice := slice1window_sum_0_18;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_19_choice := 0;
+      else
+        slice1window_sum_0_19_choice := slice1window_sum_0_19;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_20_choice := 0;
+      else
+        slice1window_sum_0_20_choice := slice1window_sum_0_20;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_21_choice := 0;
+      else
+        slice1window_sum_0_21_choice := slice1window_sum_0_21;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_22_choice := 0;
+      else
+        slice1window_sum_0_22_choice := slice1window_sum_0_22;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_23_choice := 0;
+      else
+        slice1window_sum_0_23_choice := slice1window_sum_0_23;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_24_choice := 0;
+      else
+        slice1window_sum_0_24_choice := slice1window_sum_0_24;
+      end if;
       if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 32768;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 32768;
@@ -4242,43 +5759,90 @@ begin
       slice1winner1_best_cost_0_9_is_less := (slice1window_sum_0_19 - slice1window_sum_0_18) < 0;
       slice1winner1_best_cost_0_10_is_less := (slice1window_sum_0_21 - slice1window_sum_0_20) < 0;
       slice1winner1_best_cost_0_11_is_less := (slice1window_sum_0_23 - slice1window_sum_0_22) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
-        slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
-        slice1window_sum_0_10;
-      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
-        slice1window_sum_0_12;
-      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
-        slice1window_sum_0_14;
-      slice1winner1_best_cost_0_8 <= slice1window_sum_0_17 when slice1winner1_best_cost_0_8_is_less else
-        slice1window_sum_0_16;
-      slice1winner1_best_cost_0_9 <= slice1window_sum_0_19 when slice1winner1_best_cost_0_9_is_less else
-        slice1window_sum_0_18;
-      slice1winner1_best_cost_0_10 <= slice1window_sum_0_21 when slice1winner1_best_cost_0_10_is_less else
-        slice1window_sum_0_20;
-      slice1winner1_best_cost_0_11 <= slice1window_sum_0_23 when slice1winner1_best_cost_0_11_is_less else
-        slice1window_sum_0_22;
       slice1winner1_best_cost_0_12 <= slice1window_sum_0_24;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
-      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
-      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
-      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
-      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
-      slice1winner1_best_index_0_8 <= 17 when slice1winner1_best_cost_0_8_is_less else 16;
-      slice1winner1_best_index_0_9 <= 19 when slice1winner1_best_cost_0_9_is_less else 18;
-      slice1winner1_best_index_0_10 <= 21 when slice1winner1_best_cost_0_10_is_less else 20;
-      slice1winner1_best_index_0_11 <= 23 when slice1winner1_best_cost_0_11_is_less else 22;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+      end if;
+      if slice1winner1_best_cost_0_1_is_less then
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+        slice1winner1_best_index_0_1 <= 3;
+      else
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_index_0_1 <= 2;
+      end if;
+      if slice1winner1_best_cost_0_2_is_less then
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+        slice1winner1_best_index_0_2 <= 5;
+      else
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_index_0_2 <= 4;
+      end if;
+      if slice1winner1_best_cost_0_3_is_less then
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_7;
+        slice1winner1_best_index_0_3 <= 7;
+      else
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_index_0_3 <= 6;
+      end if;
+      if slice1winner1_best_cost_0_4_is_less then
+        slice1winner1_best_cost_0_4 <= slice1window_sum_0_9;
+        slice1winner1_best_index_0_4 <= 9;
+      else
+        slice1winner1_best_cost_0_4 <= slice1window_sum_0_8;
+        slice1winner1_best_index_0_4 <= 8;
+      end if;
+      if slice1winner1_best_cost_0_5_is_less then
+        slice1winner1_best_cost_0_5 <= slice1window_sum_0_11;
+        slice1winner1_best_index_0_5 <= 11;
+      else
+        slice1winner1_best_cost_0_5 <= slice1window_sum_0_10;
+        slice1winner1_best_index_0_5 <= 10;
+      end if;
+      if slice1winner1_best_cost_0_6_is_less then
+        slice1winner1_best_cost_0_6 <= slice1window_sum_0_13;
+        slice1winner1_best_index_0_6 <= 13;
+      else
+        slice1winner1_best_cost_0_6 <= slice1window_sum_0_12;
+        slice1winner1_best_index_0_6 <= 12;
+      end if;
+      if slice1winner1_best_cost_0_7_is_less then
+        slice1winner1_best_cost_0_7 <= slice1window_sum_0_15;
+        slice1winner1_best_index_0_7 <= 15;
+      else
+        slice1winner1_best_cost_0_7 <= slice1window_sum_0_14;
+        slice1winner1_best_index_0_7 <= 14;
+      end if;
+      if slice1winner1_best_cost_0_8_is_less then
+        slice1winner1_best_cost_0_8 <= slice1window_sum_0_17;
+        slice1winner1_best_index_0_8 <= 17;
+      else
+        slice1winner1_best_cost_0_8 <= slice1window_sum_0_16;
+        slice1winner1_best_index_0_8 <= 16;
+      end if;
+      if slice1winner1_best_cost_0_9_is_less then
+        slice1winner1_best_cost_0_9 <= slice1window_sum_0_19;
+        slice1winner1_best_index_0_9 <= 19;
+      else
+        slice1winner1_best_cost_0_9 <= slice1window_sum_0_18;
+        slice1winner1_best_index_0_9 <= 18;
+      end if;
+      if slice1winner1_best_cost_0_10_is_less then
+        slice1winner1_best_cost_0_10 <= slice1window_sum_0_21;
+        slice1winner1_best_index_0_10 <= 21;
+      else
+        slice1winner1_best_cost_0_10 <= slice1window_sum_0_20;
+        slice1winner1_best_index_0_10 <= 20;
+      end if;
+      if slice1winner1_best_cost_0_11_is_less then
+        slice1winner1_best_cost_0_11 <= slice1window_sum_0_23;
+        slice1winner1_best_index_0_11 <= 23;
+      else
+        slice1winner1_best_cost_0_11 <= slice1window_sum_0_22;
+        slice1winner1_best_index_0_11 <= 22;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
@@ -4286,74 +5850,114 @@ begin
       slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
       slice1winner2_best_cost_0_4_is_less := (slice1winner1_best_cost_0_9 - slice1winner1_best_cost_0_8) < 0;
       slice1winner2_best_cost_0_5_is_less := (slice1winner1_best_cost_0_11 - slice1winner1_best_cost_0_10) < 0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_cost_0_4;
-      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_cost_0_6;
-      slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_9 when slice1winner2_best_cost_0_4_is_less else
-        slice1winner1_best_cost_0_8;
-      slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_11 when slice1winner2_best_cost_0_5_is_less else
-        slice1winner1_best_cost_0_10;
       slice1winner2_best_cost_0_6 <= slice1winner1_best_cost_0_12;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_index_0_2;
-      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_index_0_4;
-      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_index_0_6;
-      slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9 when slice1winner2_best_cost_0_4_is_less else
-        slice1winner1_best_index_0_8;
-      slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11 when slice1winner2_best_cost_0_5_is_less else
-        slice1winner1_best_index_0_10;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+      end if;
+      if slice1winner2_best_cost_0_1_is_less then
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
+      else
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+      end if;
+      if slice1winner2_best_cost_0_2_is_less then
+        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5;
+        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
+      else
+        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_4;
+        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
+      end if;
+      if slice1winner2_best_cost_0_3_is_less then
+        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7;
+        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
+      else
+        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_6;
+        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
+      end if;
+      if slice1winner2_best_cost_0_4_is_less then
+        slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_9;
+        slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9;
+      else
+        slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_8;
+        slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_8;
+      end if;
+      if slice1winner2_best_cost_0_5_is_less then
+        slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_11;
+        slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11;
+      else
+        slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_10;
+        slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_10;
+      end if;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
       slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
       slice1winner3_best_cost_0_2_is_less := (slice1winner2_best_cost_0_5 - slice1winner2_best_cost_0_4) < 0;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_cost_0_2;
-      slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_5 when slice1winner3_best_cost_0_2_is_less else
-        slice1winner2_best_cost_0_4;
       slice1winner3_best_cost_0_3 <= slice1winner2_best_cost_0_6;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
-      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_index_0_2;
-      slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5 when slice1winner3_best_cost_0_2_is_less else
-        slice1winner2_best_index_0_4;
+      if slice1winner3_best_cost_0_0_is_less then
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
+      else
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
+      end if;
+      if slice1winner3_best_cost_0_1_is_less then
+        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3;
+        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
+      else
+        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_2;
+        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
+      end if;
+      if slice1winner3_best_cost_0_2_is_less then
+        slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_5;
+        slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5;
+      else
+        slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_4;
+        slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_4;
+      end if;
       -- slice1winner4
       slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
       slice1winner4_best_cost_0_1_is_less := (slice1winner3_best_cost_0_3 - slice1winner3_best_cost_0_2) < 0;
-      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_cost_0_0;
-      slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_3 when slice1winner4_best_cost_0_1_is_less else
-        slice1winner3_best_cost_0_2;
-      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_index_0_0;
-      slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_0_1_is_less else
-        slice1winner3_best_index_0_2;
+      if slice1winner4_best_cost_0_0_is_less then
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1;
+        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
+      else
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
+      end if;
+      if slice1winner4_best_cost_0_1_is_less then
+        slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_3;
+        slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_2;
+        slice1winner4_best_index_0_1 <= slice1winner3_best_index_0_2;
+      end if;
       -- slice1winner5
       slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0_1 - slice1winner4_best_cost_0_0) < 0;
-      slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1 when slice1winner5_best_cost_0_0_is_less else
-        slice1winner4_best_cost_0_0;
-      slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1 when slice1winner5_best_cost_0_0_is_less else
-        slice1winner4_best_index_0_0;
+      if slice1winner5_best_cost_0_0_is_less then
+        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1;
+        slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1;
+      else
+        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_0;
+        slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_0;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner5_best_cost_0_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner5_best_index_0_0 / 2) + 39) * 2) + (slice1winner5_best_index_0_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner5_best_cost_0_0;
+        slice1_best_index_0_0 <= (((slice1winner5_best_index_0_0 / 2) + 39) * 2) + (slice1winner5_best_index_0_0 mod 2);
+      end if;
       -- slice2shift
       if slice0cost_pixels_first_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -4412,100 +6016,256 @@ begin
       slice2shift_search_out_0 <= slice2shift_search_0_0;
       slice2shift_search_out_1 <= slice2shift_search_1_0;
       -- slice2cost
-      slice2cost_column_0_0_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 mod
-        4096;
-      slice2cost_column_0_0_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_0 +
-        slice2cost_column_0_0_choice) mod 4096;
-      slice2cost_column_0_1_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 / 4096;
-      slice2cost_column_0_1_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_1 +
-        slice2cost_column_0_1_choice) mod 4096;
-      slice2cost_column_0_2_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_1 mod
-        4096;
-      slice2cost_column_0_2_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_2 +
-        slice2cost_column_0_2_choice) mod 4096;
-      slice2cost_column_0_3_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_1 / 4096;
-      slice2cost_column_0_3_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_3 +
-        slice2cost_column_0_3_choice) mod 4096;
-      slice2cost_column_0_4_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_2 mod
-        4096;
-      slice2cost_column_0_4_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_4 +
-        slice2cost_column_0_4_choice) mod 4096;
-      slice2cost_column_0_5_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_2 / 4096;
-      slice2cost_column_0_5_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_5 +
-        slice2cost_column_0_5_choice) mod 4096;
-      slice2cost_column_0_6_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_3 mod
-        4096;
-      slice2cost_column_0_6_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_6 +
-        slice2cost_column_0_6_choice) mod 4096;
-      slice2cost_column_0_7_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_3 / 4096;
-      slice2cost_column_0_7_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_7 +
-        slice2cost_column_0_7_choice) mod 4096;
-      slice2cost_column_0_8_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_4 mod
-        4096;
-      slice2cost_column_0_8_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_8 +
-        slice2cost_column_0_8_choice) mod 4096;
-      slice2cost_column_0_9_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_4 / 4096;
-      slice2cost_column_0_9_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_9 +
-        slice2cost_column_0_9_choice) mod 4096;
-      slice2cost_column_0_10_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_5 mod
-        4096;
-      slice2cost_column_0_10_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_10 +
-        slice2cost_column_0_10_choice) mod 4096;
-      slice2cost_column_0_11_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_5 /
-        4096;
-      slice2cost_column_0_11_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_11 +
-        slice2cost_column_0_11_choice) mod 4096;
-      slice2cost_column_0_12_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_6 mod
-        4096;
-      slice2cost_column_0_12_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_12 +
-        slice2cost_column_0_12_choice) mod 4096;
-      slice2cost_column_0_13_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_6 /
-        4096;
-      slice2cost_column_0_13_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_13 +
-        slice2cost_column_0_13_choice) mod 4096;
-      slice2cost_column_0_14_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_7 mod
-        4096;
-      slice2cost_column_0_14_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_14 +
-        slice2cost_column_0_14_choice) mod 4096;
-      slice2cost_column_0_15_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_7 /
-        4096;
-      slice2cost_column_0_15_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_15 +
-        slice2cost_column_0_15_choice) mod 4096;
-      slice2cost_column_0_16_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_8 mod
-        4096;
-      slice2cost_column_0_16_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_16 +
-        slice2cost_column_0_16_choice) mod 4096;
-      slice2cost_column_0_17_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_8 /
-        4096;
-      slice2cost_column_0_17_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_17 +
-        slice2cost_column_0_17_choice) mod 4096;
-      slice2cost_column_0_18_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_9 mod
-        4096;
-      slice2cost_column_0_18_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_18 +
-        slice2cost_column_0_18_choice) mod 4096;
-      slice2cost_column_0_19_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_9 /
-        4096;
-      slice2cost_column_0_19_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_19 +
-        slice2cost_column_0_19_choice) mod 4096;
-      slice2cost_column_0_20_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_10 mod
-        4096;
-      slice2cost_column_0_20_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_20 +
-        slice2cost_column_0_20_choice) mod 4096;
-      slice2cost_column_0_21_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_10 /
-        4096;
-      slice2cost_column_0_21_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_21 +
-        slice2cost_column_0_21_choice) mod 4096;
-      slice2cost_column_0_22_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_11 mod
-        4096;
-      slice2cost_column_0_22_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_22 +
-        slice2cost_column_0_22_choice) mod 4096;
-      slice2cost_column_0_23_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_11 /
-        4096;
-      slice2cost_column_0_23_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_23 +
-        slice2cost_column_0_23_choice) mod 4096;
-      slice2cost_column_0_24_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_12;
-      slice2cost_column_0_24_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_24 +
-        slice2cost_column_0_24_choice) mod 4096;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_0_choice := 0;
+      else
+        slice2cost_column_0_0_choice := slice2cost_ready_words_0 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_0_choice_2 := 0;
+      else
+        slice2cost_column_0_0_choice_2 := (slice2cost_change_0_0 + slice2cost_column_0_0_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_1_choice := 0;
+      else
+        slice2cost_column_0_1_choice := slice2cost_ready_words_0 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_1_choice_2 := 0;
+      else
+        slice2cost_column_0_1_choice_2 := (slice2cost_change_0_1 + slice2cost_column_0_1_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_2_choice := 0;
+      else
+        slice2cost_column_0_2_choice := slice2cost_ready_words_1 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_2_choice_2 := 0;
+      else
+        slice2cost_column_0_2_choice_2 := (slice2cost_change_0_2 + slice2cost_column_0_2_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_3_choice := 0;
+      else
+        slice2cost_column_0_3_choice := slice2cost_ready_words_1 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_3_choice_2 := 0;
+      else
+        slice2cost_column_0_3_choice_2 := (slice2cost_change_0_3 + slice2cost_column_0_3_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_4_choice := 0;
+      else
+        slice2cost_column_0_4_choice := slice2cost_ready_words_2 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_4_choice_2 := 0;
+      else
+        slice2cost_column_0_4_choice_2 := (slice2cost_change_0_4 + slice2cost_column_0_4_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_5_choice := 0;
+      else
+        slice2cost_column_0_5_choice := slice2cost_ready_words_2 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_5_choice_2 := 0;
+      else
+        slice2cost_column_0_5_choice_2 := (slice2cost_change_0_5 + slice2cost_column_0_5_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_6_choice := 0;
+      else
+        slice2cost_column_0_6_choice := slice2cost_ready_words_3 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_6_choice_2 := 0;
+      else
+        slice2cost_column_0_6_choice_2 := (slice2cost_change_0_6 + slice2cost_column_0_6_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_7_choice := 0;
+      else
+        slice2cost_column_0_7_choice := slice2cost_ready_words_3 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_7_choice_2 := 0;
+      else
+        slice2cost_column_0_7_choice_2 := (slice2cost_change_0_7 + slice2cost_column_0_7_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_8_choice := 0;
+      else
+        slice2cost_column_0_8_choice := slice2cost_ready_words_4 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_8_choice_2 := 0;
+      else
+        slice2cost_column_0_8_choice_2 := (slice2cost_change_0_8 + slice2cost_column_0_8_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_9_choice := 0;
+      else
+        slice2cost_column_0_9_choice := slice2cost_ready_words_4 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_9_choice_2 := 0;
+      else
+        slice2cost_column_0_9_choice_2 := (slice2cost_change_0_9 + slice2cost_column_0_9_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_10_choice := 0;
+      else
+        slice2cost_column_0_10_choice := slice2cost_ready_words_5 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_10_choice_2 := 0;
+      else
+        slice2cost_column_0_10_choice_2 := (slice2cost_change_0_10 + slice2cost_column_0_10_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_11_choice := 0;
+      else
+        slice2cost_column_0_11_choice := slice2cost_ready_words_5 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_11_choice_2 := 0;
+      else
+        slice2cost_column_0_11_choice_2 := (slice2cost_change_0_11 + slice2cost_column_0_11_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_12_choice := 0;
+      else
+        slice2cost_column_0_12_choice := slice2cost_ready_words_6 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_12_choice_2 := 0;
+      else
+        slice2cost_column_0_12_choice_2 := (slice2cost_change_0_12 + slice2cost_column_0_12_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_13_choice := 0;
+      else
+        slice2cost_column_0_13_choice := slice2cost_ready_words_6 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_13_choice_2 := 0;
+      else
+        slice2cost_column_0_13_choice_2 := (slice2cost_change_0_13 + slice2cost_column_0_13_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_14_choice := 0;
+      else
+        slice2cost_column_0_14_choice := slice2cost_ready_words_7 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_14_choice_2 := 0;
+      else
+        slice2cost_column_0_14_choice_2 := (slice2cost_change_0_14 + slice2cost_column_0_14_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_15_choice := 0;
+      else
+        slice2cost_column_0_15_choice := slice2cost_ready_words_7 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_15_choice_2 := 0;
+      else
+        slice2cost_column_0_15_choice_2 := (slice2cost_change_0_15 + slice2cost_column_0_15_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_16_choice := 0;
+      else
+        slice2cost_column_0_16_choice := slice2cost_ready_words_8 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_16_choice_2 := 0;
+      else
+        slice2cost_column_0_16_choice_2 := (slice2cost_change_0_16 + slice2cost_column_0_16_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_17_choice := 0;
+      else
+        slice2cost_column_0_17_choice := slice2cost_ready_words_8 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_17_choice_2 := 0;
+      else
+        slice2cost_column_0_17_choice_2 := (slice2cost_change_0_17 + slice2cost_column_0_17_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_18_choice := 0;
+      else
+        slice2cost_column_0_18_choice := slice2cost_ready_words_9 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_18_choice_2 := 0;
+      else
+        slice2cost_column_0_18_choice_2 := (slice2cost_change_0_18 + slice2cost_column_0_18_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_19_choice := 0;
+      else
+        slice2cost_column_0_19_choice := slice2cost_ready_words_9 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_19_choice_2 := 0;
+      else
+        slice2cost_column_0_19_choice_2 := (slice2cost_change_0_19 + slice2cost_column_0_19_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_20_choice := 0;
+      else
+        slice2cost_column_0_20_choice := slice2cost_ready_words_10 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_20_choice_2 := 0;
+      else
+        slice2cost_column_0_20_choice_2 := (slice2cost_change_0_20 + slice2cost_column_0_20_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_21_choice := 0;
+      else
+        slice2cost_column_0_21_choice := slice2cost_ready_words_10 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_21_choice_2 := 0;
+      else
+        slice2cost_column_0_21_choice_2 := (slice2cost_change_0_21 + slice2cost_column_0_21_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_22_choice := 0;
+      else
+        slice2cost_column_0_22_choice := slice2cost_ready_words_11 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_22_choice_2 := 0;
+      else
+        slice2cost_column_0_22_choice_2 := (slice2cost_change_0_22 + slice2cost_column_0_22_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_23_choice := 0;
+      else
+        slice2cost_column_0_23_choice := slice2cost_ready_words_11 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_23_choice_2 := 0;
+      else
+        slice2cost_column_0_23_choice_2 := (slice2cost_change_0_23 + slice2cost_column_0_23_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_24_choice := 0;
+      else
+        slice2cost_column_0_24_choice := slice2cost_ready_words_12;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_24_choice_2 := 0;
+      else
+        slice2cost_column_0_24_choice_2 := (slice2cost_change_0_24 + slice2cost_column_0_24_choice) mod 4096;
+      end if;
       slice2cost_pixels_first_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_pixels_first_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_pixels_first_0_2 <= slice2shift_search_0_2 - slice2shift_reference_0;
@@ -4744,9 +6504,12 @@ begin
       end if;
       -- slice2window
       if slice0window_change_tag_valid then
-        slice2window_ring_read_address <= 0 when slice2window_ring_read_address = 9 else
-          (slice2window_ring_read_address + 1) mod 16;
         slice2window_ring_write_address <= slice2window_ring_read_address;
+        if slice2window_ring_read_address = 9 then
+          slice2window_ring_read_address <= 0;
+        else
+          slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice1window_change_tag_leaves_window then
         slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(11 downto 0));
@@ -4930,31 +6693,131 @@ begin
       slice2window_centre_first_column_0 <= slice1window_centre_first_column_0;
       slice2window_centre_start_of_frame_0 <= slice1window_centre_start_of_frame_0;
       slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
-      slice2window_sum_0_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_0;
-      slice2window_sum_0_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_1;
-      slice2window_sum_0_2_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_2;
-      slice2window_sum_0_3_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_3;
-      slice2window_sum_0_4_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_4;
-      slice2window_sum_0_5_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_5;
-      slice2window_sum_0_6_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_6;
-      slice2window_sum_0_7_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_7;
-      slice2window_sum_0_8_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_8;
-      slice2window_sum_0_9_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_9;
-      slice2window_sum_0_10_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_10;
-      slice2window_sum_0_11_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_11;
-      slice2window_sum_0_12_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_12;
-      slice2window_sum_0_13_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_13;
-      slice2window_sum_0_14_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_14;
-      slice2window_sum_0_15_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_15;
-      slice2window_sum_0_16_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_16;
-      slice2window_sum_0_17_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_17;
-      slice2window_sum_0_18_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_18;
-      slice2window_sum_0_19_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_19;
-      slice2window_sum_0_20_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_20;
-      slice2window_sum_0_21_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_21;
-      slice2window_sum_0_22_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_22;
-      slice2window_sum_0_23_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_23;
-      slice2window_sum_0_24_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_24;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_0_choice := 0;
+      else
+        slice2window_sum_0_0_choice := slice2window_sum_0_0;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_1_choice := 0;
+      else
+        slice2window_sum_0_1_choice := slice2window_sum_0_1;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_2_choice := 0;
+      else
+        slice2window_sum_0_2_choice := slice2window_sum_0_2;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_3_choice := 0;
+      else
+        slice2window_sum_0_3_choice := slice2window_sum_0_3;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_4_choice := 0;
+      else
+        slice2window_sum_0_4_choice := slice2window_sum_0_4;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_5_choice := 0;
+      else
+        slice2window_sum_0_5_choice := slice2window_sum_0_5;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_6_choice := 0;
+      else
+        slice2window_sum_0_6_choice := slice2window_sum_0_6;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_7_choice := 0;
+      else
+        slice2window_sum_0_7_choice := slice2window_sum_0_7;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_8_choice := 0;
+      else
+        slice2window_sum_0_8_choice := slice2window_sum_0_8;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_9_choice := 0;
+      else
+        slice2window_sum_0_9_choice := slice2window_sum_0_9;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_10_choice := 0;
+      else
+        slice2window_sum_0_10_choice := slice2window_sum_0_10;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_11_choice := 0;
+      else
+        slice2window_sum_0_11_choice := slice2window_sum_0_11;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_12_choice := 0;
+      else
+        slice2window_sum_0_12_choice := slice2window_sum_0_12;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_13_choice := 0;
+      else
+        slice2window_sum_0_13_choice := slice2window_sum_0_13;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_14_choice := 0;
+      else
+        slice2window_sum_0_14_choice := slice2window_sum_0_14;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_15_choice := 0;
+      else
+        slice2window_sum_0_15_choice := slice2window_sum_0_15;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_16_choice := 0;
+      else
+        slice2window_sum_0_16_choice := slice2window_sum_0_16;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_17_choice := 0;
+      else
+        slice2window_sum_0_17_choice := slice2window_sum_0_17;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_18_choice := 0;
+      else
+        slice2window_sum_0_18_choice := slice2window_sum_0_18;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_19_choice := 0;
+      else
+        slice2window_sum_0_19_choice := slice2window_sum_0_19;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_20_choice := 0;
+      else
+        slice2window_sum_0_20_choice := slice2window_sum_0_20;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_21_choice := 0;
+      else
+        slice2window_sum_0_21_choice := slice2window_sum_0_21;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_22_choice := 0;
+      else
+        slice2window_sum_0_22_choice := slice2window_sum_0_22;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_23_choice := 0;
+      else
+        slice2window_sum_0_23_choice := slice2window_sum_0_23;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_24_choice := 0;
+      else
+        slice2window_sum_0_24_choice := slice2window_sum_0_24;
+      end if;
       if slice0winner1_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 32768;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 32768;
@@ -4998,43 +6861,90 @@ begin
       slice2winner1_best_cost_0_9_is_less := (slice2window_sum_0_19 - slice2window_sum_0_18) < 0;
       slice2winner1_best_cost_0_10_is_less := (slice2window_sum_0_21 - slice2window_sum_0_20) < 0;
       slice2winner1_best_cost_0_11_is_less := (slice2window_sum_0_23 - slice2window_sum_0_22) < 0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
-        slice2window_sum_0_2;
-      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
-        slice2window_sum_0_4;
-      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
-        slice2window_sum_0_6;
-      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_best_cost_0_4_is_less else
-        slice2window_sum_0_8;
-      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_best_cost_0_5_is_less else
-        slice2window_sum_0_10;
-      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when slice2winner1_best_cost_0_6_is_less else
-        slice2window_sum_0_12;
-      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when slice2winner1_best_cost_0_7_is_less else
-        slice2window_sum_0_14;
-      slice2winner1_best_cost_0_8 <= slice2window_sum_0_17 when slice2winner1_best_cost_0_8_is_less else
-        slice2window_sum_0_16;
-      slice2winner1_best_cost_0_9 <= slice2window_sum_0_19 when slice2winner1_best_cost_0_9_is_less else
-        slice2window_sum_0_18;
-      slice2winner1_best_cost_0_10 <= slice2window_sum_0_21 when slice2winner1_best_cost_0_10_is_less else
-        slice2window_sum_0_20;
-      slice2winner1_best_cost_0_11 <= slice2window_sum_0_23 when slice2winner1_best_cost_0_11_is_less else
-        slice2window_sum_0_22;
       slice2winner1_best_cost_0_12 <= slice2window_sum_0_24;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
-      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
-      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
-      slice2winner1_best_index_0_4 <= 9 when slice2winner1_best_cost_0_4_is_less else 8;
-      slice2winner1_best_index_0_5 <= 11 when slice2winner1_best_cost_0_5_is_less else 10;
-      slice2winner1_best_index_0_6 <= 13 when slice2winner1_best_cost_0_6_is_less else 12;
-      slice2winner1_best_index_0_7 <= 15 when slice2winner1_best_cost_0_7_is_less else 14;
-      slice2winner1_best_index_0_8 <= 17 when slice2winner1_best_cost_0_8_is_less else 16;
-      slice2winner1_best_index_0_9 <= 19 when slice2winner1_best_cost_0_9_is_less else 18;
-      slice2winner1_best_index_0_10 <= 21 when slice2winner1_best_cost_0_10_is_less else 20;
-      slice2winner1_best_index_0_11 <= 23 when slice2winner1_best_cost_0_11_is_less else 22;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
+      if slice2winner1_best_cost_0_1_is_less then
+        slice2winner1_best_cost_0_1 <= slice2window_sum_0_3;
+        slice2winner1_best_index_0_1 <= 3;
+      else
+        slice2winner1_best_cost_0_1 <= slice2window_sum_0_2;
+        slice2winner1_best_index_0_1 <= 2;
+      end if;
+      if slice2winner1_best_cost_0_2_is_less then
+        slice2winner1_best_cost_0_2 <= slice2window_sum_0_5;
+        slice2winner1_best_index_0_2 <= 5;
+      else
+        slice2winner1_best_cost_0_2 <= slice2window_sum_0_4;
+        slice2winner1_best_index_0_2 <= 4;
+      end if;
+      if slice2winner1_best_cost_0_3_is_less then
+        slice2winner1_best_cost_0_3 <= slice2window_sum_0_7;
+        slice2winner1_best_index_0_3 <= 7;
+      else
+        slice2winner1_best_cost_0_3 <= slice2window_sum_0_6;
+        slice2winner1_best_index_0_3 <= 6;
+      end if;
+      if slice2winner1_best_cost_0_4_is_less then
+        slice2winner1_best_cost_0_4 <= slice2window_sum_0_9;
+        slice2winner1_best_index_0_4 <= 9;
+      else
+        slice2winner1_best_cost_0_4 <= slice2window_sum_0_8;
+        slice2winner1_best_index_0_4 <= 8;
+      end if;
+      if slice2winner1_best_cost_0_5_is_less then
+        slice2winner1_best_cost_0_5 <= slice2window_sum_0_11;
+        slice2winner1_best_index_0_5 <= 11;
+      else
+        slice2winner1_best_cost_0_5 <= slice2window_sum_0_10;
+        slice2winner1_best_index_0_5 <= 10;
+      end if;
+      if slice2winner1_best_cost_0_6_is_less then
+        slice2winner1_best_cost_0_6 <= slice2window_sum_0_13;
+        slice2winner1_best_index_0_6 <= 13;
+      else
+        slice2winner1_best_cost_0_6 <= slice2window_sum_0_12;
+        slice2winner1_best_index_0_6 <= 12;
+      end if;
+      if slice2winner1_best_cost_0_7_is_less then
+        slice2winner1_best_cost_0_7 <= slice2window_sum_0_15;
+        slice2winner1_best_index_0_7 <= 15;
+      else
+        slice2winner1_best_cost_0_7 <= slice2window_sum_0_14;
+        slice2winner1_best_index_0_7 <= 14;
+      end if;
+      if slice2winner1_best_cost_0_8_is_less then
+        slice2winner1_best_cost_0_8 <= slice2window_sum_0_17;
+        slice2winner1_best_index_0_8 <= 17;
+      else
+        slice2winner1_best_cost_0_8 <= slice2window_sum_0_16;
+        slice2winner1_best_index_0_8 <= 16;
+      end if;
+      if slice2winner1_best_cost_0_9_is_less then
+        slice2winner1_best_cost_0_9 <= slice2window_sum_0_19;
+        slice2winner1_best_index_0_9 <= 19;
+      else
+        slice2winner1_best_cost_0_9 <= slice2window_sum_0_18;
+        slice2winner1_best_index_0_9 <= 18;
+      end if;
+      if slice2winner1_best_cost_0_10_is_less then
+        slice2winner1_best_cost_0_10 <= slice2window_sum_0_21;
+        slice2winner1_best_index_0_10 <= 21;
+      else
+        slice2winner1_best_cost_0_10 <= slice2window_sum_0_20;
+        slice2winner1_best_index_0_10 <= 20;
+      end if;
+      if slice2winner1_best_cost_0_11_is_less then
+        slice2winner1_best_cost_0_11 <= slice2window_sum_0_23;
+        slice2winner1_best_index_0_11 <= 23;
+      else
+        slice2winner1_best_cost_0_11 <= slice2window_sum_0_22;
+        slice2winner1_best_index_0_11 <= 22;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
       slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
@@ -5042,74 +6952,114 @@ begin
       slice2winner2_best_cost_0_3_is_less := (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0;
       slice2winner2_best_cost_0_4_is_less := (slice2winner1_best_cost_0_9 - slice2winner1_best_cost_0_8) < 0;
       slice2winner2_best_cost_0_5_is_less := (slice2winner1_best_cost_0_11 - slice2winner1_best_cost_0_10) < 0;
-      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
-        slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
-        slice2winner1_best_cost_0_2;
-      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner2_best_cost_0_2_is_less else
-        slice2winner1_best_cost_0_4;
-      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_cost_0_6;
-      slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_9 when slice2winner2_best_cost_0_4_is_less else
-        slice2winner1_best_cost_0_8;
-      slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_11 when slice2winner2_best_cost_0_5_is_less else
-        slice2winner1_best_cost_0_10;
       slice2winner2_best_cost_0_6 <= slice2winner1_best_cost_0_12;
-      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
-        as_number(slice2winner1_best_index_0_0);
-      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
-        slice2winner1_best_index_0_2;
-      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_cost_0_2_is_less else
-        slice2winner1_best_index_0_4;
-      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_index_0_6;
-      slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9 when slice2winner2_best_cost_0_4_is_less else
-        slice2winner1_best_index_0_8;
-      slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11 when slice2winner2_best_cost_0_5_is_less else
-        slice2winner1_best_index_0_10;
+      if slice2winner2_best_cost_0_0_is_less then
+        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1;
+        slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1;
+      else
+        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
+        slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
+      end if;
+      if slice2winner2_best_cost_0_1_is_less then
+        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3;
+        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3;
+      else
+        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_2;
+        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2;
+      end if;
+      if slice2winner2_best_cost_0_2_is_less then
+        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5;
+        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5;
+      else
+        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_4;
+        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
+      end if;
+      if slice2winner2_best_cost_0_3_is_less then
+        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7;
+        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7;
+      else
+        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_6;
+        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_6;
+      end if;
+      if slice2winner2_best_cost_0_4_is_less then
+        slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_9;
+        slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9;
+      else
+        slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_8;
+        slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_8;
+      end if;
+      if slice2winner2_best_cost_0_5_is_less then
+        slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_11;
+        slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11;
+      else
+        slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_10;
+        slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_10;
+      end if;
       -- slice2winner3
       slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
       slice2winner3_best_cost_0_1_is_less := (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0;
       slice2winner3_best_cost_0_2_is_less := (slice2winner2_best_cost_0_5 - slice2winner2_best_cost_0_4) < 0;
-      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
-        slice2winner2_best_cost_0_0;
-      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_cost_0_2;
-      slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_5 when slice2winner3_best_cost_0_2_is_less else
-        slice2winner2_best_cost_0_4;
       slice2winner3_best_cost_0_3 <= slice2winner2_best_cost_0_6;
-      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
-        slice2winner2_best_index_0_0;
-      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_index_0_2;
-      slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5 when slice2winner3_best_cost_0_2_is_less else
-        slice2winner2_best_index_0_4;
+      if slice2winner3_best_cost_0_0_is_less then
+        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1;
+        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1;
+      else
+        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+      end if;
+      if slice2winner3_best_cost_0_1_is_less then
+        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3;
+        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3;
+      else
+        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_2;
+        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
+      end if;
+      if slice2winner3_best_cost_0_2_is_less then
+        slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_5;
+        slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5;
+      else
+        slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_4;
+        slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_4;
+      end if;
       -- slice2winner4
       slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
       slice2winner4_best_cost_0_1_is_less := (slice2winner3_best_cost_0_3 - slice2winner3_best_cost_0_2) < 0;
-      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_cost_0_0;
-      slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_3 when slice2winner4_best_cost_0_1_is_less else
-        slice2winner3_best_cost_0_2;
-      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_index_0_0;
-      slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_0_1_is_less else
-        slice2winner3_best_index_0_2;
+      if slice2winner4_best_cost_0_0_is_less then
+        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1;
+        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1;
+      else
+        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_0;
+        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0;
+      end if;
+      if slice2winner4_best_cost_0_1_is_less then
+        slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_3;
+        slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_2;
+        slice2winner4_best_index_0_1 <= slice2winner3_best_index_0_2;
+      end if;
       -- slice2winner5
       slice2winner5_best_cost_0_0_is_less := (slice2winner4_best_cost_0_1 - slice2winner4_best_cost_0_0) < 0;
-      slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_1 when slice2winner5_best_cost_0_0_is_less else
-        slice2winner4_best_cost_0_0;
-      slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1 when slice2winner5_best_cost_0_0_is_less else
-        slice2winner4_best_index_0_0;
+      if slice2winner5_best_cost_0_0_is_less then
+        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_1;
+        slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1;
+      else
+        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_0;
+        slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_0;
+      end if;
       -- slice2
       slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner5_best_cost_0_0) < 0;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner5_best_cost_0_0;
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner5_best_index_0_0 + 53;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if slice2_best_cost_0_0_is_less then
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      else
+        slice2_best_cost_0_0 <= slice2winner5_best_cost_0_0;
+        slice2_best_index_0_0 <= slice2winner5_best_index_0_0 + 53;
+      end if;
       -- slice3shift
       if slice0cost_pixels_tag_valid then
         slice3shift_search_0_0 <= slice3shift_search_0_1;
@@ -5168,88 +7118,256 @@ begin
       slice3shift_search_out_0 <= slice3shift_search_0_0;
       slice3shift_search_out_1 <= slice3shift_search_1_0;
       -- slice3cost
-      slice3cost_column_0_0_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_0 mod 4096;
-      slice3cost_column_0_0_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_0 +
-        slice3cost_column_0_0_choice) mod 4096;
-      slice3cost_column_0_1_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_0 / 4096;
-      slice3cost_column_0_1_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_1 +
-        slice3cost_column_0_1_choice) mod 4096;
-      slice3cost_column_0_2_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_1 mod 4096;
-      slice3cost_column_0_2_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_2 +
-        slice3cost_column_0_2_choice) mod 4096;
-      slice3cost_column_0_3_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_1 / 4096;
-      slice3cost_column_0_3_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_3 +
-        slice3cost_column_0_3_choice) mod 4096;
-      slice3cost_column_0_4_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_2 mod 4096;
-      slice3cost_column_0_4_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_4 +
-        slice3cost_column_0_4_choice) mod 4096;
-      slice3cost_column_0_5_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_2 / 4096;
-      slice3cost_column_0_5_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_5 +
-        slice3cost_column_0_5_choice) mod 4096;
-      slice3cost_column_0_6_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_3 mod 4096;
-      slice3cost_column_0_6_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_6 +
-        slice3cost_column_0_6_choice) mod 4096;
-      slice3cost_column_0_7_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_3 / 4096;
-      slice3cost_column_0_7_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_7 +
-        slice3cost_column_0_7_choice) mod 4096;
-      slice3cost_column_0_8_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_4 mod 4096;
-      slice3cost_column_0_8_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_8 +
-        slice3cost_column_0_8_choice) mod 4096;
-      slice3cost_column_0_9_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_4 / 4096;
-      slice3cost_column_0_9_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_9 +
-        slice3cost_column_0_9_choice) mod 4096;
-      slice3cost_column_0_10_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_5 mod
-        4096;
-      slice3cost_column_0_10_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_10 +
-        slice3cost_column_0_10_choice) mod 4096;
-      slice3cost_column_0_11_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_5 / 4096;
-      slice3cost_column_0_11_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_11 +
-        slice3cost_column_0_11_choice) mod 4096;
-      slice3cost_column_0_12_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_6 mod
-        4096;
-      slice3cost_column_0_12_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_12 +
-        slice3cost_column_0_12_choice) mod 4096;
-      slice3cost_column_0_13_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_6 / 4096;
-      slice3cost_column_0_13_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_13 +
-        slice3cost_column_0_13_choice) mod 4096;
-      slice3cost_column_0_14_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_7 mod
-        4096;
-      slice3cost_column_0_14_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_14 +
-        slice3cost_column_0_14_choice) mod 4096;
-      slice3cost_column_0_15_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_7 / 4096;
-      slice3cost_column_0_15_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_15 +
-        slice3cost_column_0_15_choice) mod 4096;
-      slice3cost_column_0_16_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_8 mod
-        4096;
-      slice3cost_column_0_16_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_16 +
-        slice3cost_column_0_16_choice) mod 4096;
-      slice3cost_column_0_17_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_8 / 4096;
-      slice3cost_column_0_17_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_17 +
-        slice3cost_column_0_17_choice) mod 4096;
-      slice3cost_column_0_18_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_9 mod
-        4096;
-      slice3cost_column_0_18_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_18 +
-        slice3cost_column_0_18_choice) mod 4096;
-      slice3cost_column_0_19_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_9 / 4096;
-      slice3cost_column_0_19_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_19 +
-        slice3cost_column_0_19_choice) mod 4096;
-      slice3cost_column_0_20_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_10 mod
-        4096;
-      slice3cost_column_0_20_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_20 +
-        slice3cost_column_0_20_choice) mod 4096;
-      slice3cost_column_0_21_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_10 / 4096;
-      slice3cost_column_0_21_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_21 +
-        slice3cost_column_0_21_choice) mod 4096;
-      slice3cost_column_0_22_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_11 mod
-        4096;
-      slice3cost_column_0_22_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_22 +
-        slice3cost_column_0_22_choice) mod 4096;
-      slice3cost_column_0_23_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_11 / 4096;
-      slice3cost_column_0_23_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_23 +
-        slice3cost_column_0_23_choice) mod 4096;
-      slice3cost_column_0_24_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_12;
-      slice3cost_column_0_24_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_24 +
-        slice3cost_column_0_24_choice) mod 4096;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_0_choice := 0;
+      else
+        slice3cost_column_0_0_choice := slice3cost_ready_words_0 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_0_choice_2 := 0;
+      else
+        slice3cost_column_0_0_choice_2 := (slice3cost_change_0_0 + slice3cost_column_0_0_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_1_choice := 0;
+      else
+        slice3cost_column_0_1_choice := slice3cost_ready_words_0 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_1_choice_2 := 0;
+      else
+        slice3cost_column_0_1_choice_2 := (slice3cost_change_0_1 + slice3cost_column_0_1_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_2_choice := 0;
+      else
+        slice3cost_column_0_2_choice := slice3cost_ready_words_1 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_2_choice_2 := 0;
+      else
+        slice3cost_column_0_2_choice_2 := (slice3cost_change_0_2 + slice3cost_column_0_2_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_3_choice := 0;
+      else
+        slice3cost_column_0_3_choice := slice3cost_ready_words_1 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_3_choice_2 := 0;
+      else
+        slice3cost_column_0_3_choice_2 := (slice3cost_change_0_3 + slice3cost_column_0_3_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_4_choice := 0;
+      else
+        slice3cost_column_0_4_choice := slice3cost_ready_words_2 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_4_choice_2 := 0;
+      else
+        slice3cost_column_0_4_choice_2 := (slice3cost_change_0_4 + slice3cost_column_0_4_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_5_choice := 0;
+      else
+        slice3cost_column_0_5_choice := slice3cost_ready_words_2 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_5_choice_2 := 0;
+      else
+        slice3cost_column_0_5_choice_2 := (slice3cost_change_0_5 + slice3cost_column_0_5_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_6_choice := 0;
+      else
+        slice3cost_column_0_6_choice := slice3cost_ready_words_3 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_6_choice_2 := 0;
+      else
+        slice3cost_column_0_6_choice_2 := (slice3cost_change_0_6 + slice3cost_column_0_6_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_7_choice := 0;
+      else
+        slice3cost_column_0_7_choice := slice3cost_ready_words_3 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_7_choice_2 := 0;
+      else
+        slice3cost_column_0_7_choice_2 := (slice3cost_change_0_7 + slice3cost_column_0_7_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_8_choice := 0;
+      else
+        slice3cost_column_0_8_choice := slice3cost_ready_words_4 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_8_choice_2 := 0;
+      else
+        slice3cost_column_0_8_choice_2 := (slice3cost_change_0_8 + slice3cost_column_0_8_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_9_choice := 0;
+      else
+        slice3cost_column_0_9_choice := slice3cost_ready_words_4 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_9_choice_2 := 0;
+      else
+        slice3cost_column_0_9_choice_2 := (slice3cost_change_0_9 + slice3cost_column_0_9_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_10_choice := 0;
+      else
+        slice3cost_column_0_10_choice := slice3cost_ready_words_5 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_10_choice_2 := 0;
+      else
+        slice3cost_column_0_10_choice_2 := (slice3cost_change_0_10 + slice3cost_column_0_10_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_11_choice := 0;
+      else
+        slice3cost_column_0_11_choice := slice3cost_ready_words_5 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_11_choice_2 := 0;
+      else
+        slice3cost_column_0_11_choice_2 := (slice3cost_change_0_11 + slice3cost_column_0_11_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_12_choice := 0;
+      else
+        slice3cost_column_0_12_choice := slice3cost_ready_words_6 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_12_choice_2 := 0;
+      else
+        slice3cost_column_0_12_choice_2 := (slice3cost_change_0_12 + slice3cost_column_0_12_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_13_choice := 0;
+      else
+        slice3cost_column_0_13_choice := slice3cost_ready_words_6 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_13_choice_2 := 0;
+      else
+        slice3cost_column_0_13_choice_2 := (slice3cost_change_0_13 + slice3cost_column_0_13_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_14_choice := 0;
+      else
+        slice3cost_column_0_14_choice := slice3cost_ready_words_7 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_14_choice_2 := 0;
+      else
+        slice3cost_column_0_14_choice_2 := (slice3cost_change_0_14 + slice3cost_column_0_14_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_15_choice := 0;
+      else
+        slice3cost_column_0_15_choice := slice3cost_ready_words_7 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_15_choice_2 := 0;
+      else
+        slice3cost_column_0_15_choice_2 := (slice3cost_change_0_15 + slice3cost_column_0_15_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_16_choice := 0;
+      else
+        slice3cost_column_0_16_choice := slice3cost_ready_words_8 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_16_choice_2 := 0;
+      else
+        slice3cost_column_0_16_choice_2 := (slice3cost_change_0_16 + slice3cost_column_0_16_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_17_choice := 0;
+      else
+        slice3cost_column_0_17_choice := slice3cost_ready_words_8 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_17_choice_2 := 0;
+      else
+        slice3cost_column_0_17_choice_2 := (slice3cost_change_0_17 + slice3cost_column_0_17_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_18_choice := 0;
+      else
+        slice3cost_column_0_18_choice := slice3cost_ready_words_9 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_18_choice_2 := 0;
+      else
+        slice3cost_column_0_18_choice_2 := (slice3cost_change_0_18 + slice3cost_column_0_18_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_19_choice := 0;
+      else
+        slice3cost_column_0_19_choice := slice3cost_ready_words_9 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_19_choice_2 := 0;
+      else
+        slice3cost_column_0_19_choice_2 := (slice3cost_change_0_19 + slice3cost_column_0_19_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_20_choice := 0;
+      else
+        slice3cost_column_0_20_choice := slice3cost_ready_words_10 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_20_choice_2 := 0;
+      else
+        slice3cost_column_0_20_choice_2 := (slice3cost_change_0_20 + slice3cost_column_0_20_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_21_choice := 0;
+      else
+        slice3cost_column_0_21_choice := slice3cost_ready_words_10 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_21_choice_2 := 0;
+      else
+        slice3cost_column_0_21_choice_2 := (slice3cost_change_0_21 + slice3cost_column_0_21_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_22_choice := 0;
+      else
+        slice3cost_column_0_22_choice := slice3cost_ready_words_11 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_22_choice_2 := 0;
+      else
+        slice3cost_column_0_22_choice_2 := (slice3cost_change_0_22 + slice3cost_column_0_22_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_23_choice := 0;
+      else
+        slice3cost_column_0_23_choice := slice3cost_ready_words_11 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_23_choice_2 := 0;
+      else
+        slice3cost_column_0_23_choice_2 := (slice3cost_change_0_23 + slice3cost_column_0_23_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_24_choice := 0;
+      else
+        slice3cost_column_0_24_choice := slice3cost_ready_words_12;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_24_choice_2 := 0;
+      else
+        slice3cost_column_0_24_choice_2 := (slice3cost_change_0_24 + slice3cost_column_0_24_choice) mod 4096;
+      end if;
       slice3cost_pixels_first_0_0 <= slice3shift_search_0_0 - slice3shift_reference_0;
       slice3cost_pixels_first_0_1 <= slice3shift_search_0_1 - slice3shift_reference_0;
       slice3cost_pixels_first_0_2 <= slice3shift_search_0_2 - slice3shift_reference_0;
@@ -5465,14 +7583,25 @@ begin
       slice3cost_column_0_24 <= slice3cost_column_0_24_choice_2;
       slice3cost_write_column <= slice3cost_ready_column;
       if slice0cost_ready_tag_valid then
-        slice3cost_read_column <= 0 when slice0cost_ready_tag_row_start else (slice3cost_read_column + 1) mod 1024;
+        if slice0cost_ready_tag_row_start then
+          slice3cost_read_column <= 0;
+        else
+          slice3cost_read_column <= (slice3cost_read_column + 1) mod 1024;
+        end if;
       end if;
       if slice0cost_tag_valid then
-        slice3cost_change_column <= 0 when slice0cost_tag_row_start else (slice3cost_change_column + 1) mod 1024;
+        if slice0cost_tag_row_start then
+          slice3cost_change_column <= 0;
+        else
+          slice3cost_change_column <= (slice3cost_change_column + 1) mod 1024;
+        end if;
       end if;
       if slice0window_entering_tag_valid then
-        slice3cost_ready_column <= 0 when slice0window_entering_tag_row_start else (slice3cost_ready_column + 1) mod
-          1024;
+        if slice0window_entering_tag_row_start then
+          slice3cost_ready_column <= 0;
+        else
+          slice3cost_ready_column <= (slice3cost_ready_column + 1) mod 1024;
+        end if;
       end if;
       if slice0window_change_tag_valid then
         slice3cost_write_words_0 <= (slice3cost_column_0_1_choice_2 * 4096) + slice3cost_column_0_0_choice_2;
@@ -5491,9 +7620,12 @@ begin
       end if;
       -- slice3window
       if slice0window_tag_valid then
-        slice3window_ring_read_address <= 0 when slice3window_ring_read_address = 9 else
-          (slice3window_ring_read_address + 1) mod 16;
         slice3window_ring_write_address <= slice3window_ring_read_address;
+        if slice3window_ring_read_address = 9 then
+          slice3window_ring_read_address <= 0;
+        else
+          slice3window_ring_read_address <= (slice3window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice2window_change_tag_leaves_window then
         slice3window_change_0_0_choice := to_integer(slice3window_leaving_0(11 downto 0));
@@ -5674,31 +7806,131 @@ begin
       slice3window_centre_output_column_0 <= slice2window_centre_output_column_0;
       slice3window_centre_first_column_0 <= slice2window_centre_first_column_0;
       slice3window_centre_end_of_line_0 <= slice2window_centre_end_of_line_0;
-      slice3window_sum_0_0_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_0;
-      slice3window_sum_0_1_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_1;
-      slice3window_sum_0_2_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_2;
-      slice3window_sum_0_3_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_3;
-      slice3window_sum_0_4_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_4;
-      slice3window_sum_0_5_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_5;
-      slice3window_sum_0_6_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_6;
-      slice3window_sum_0_7_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_7;
-      slice3window_sum_0_8_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_8;
-      slice3window_sum_0_9_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_9;
-      slice3window_sum_0_10_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_10;
-      slice3window_sum_0_11_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_11;
-      slice3window_sum_0_12_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_12;
-      slice3window_sum_0_13_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_13;
-      slice3window_sum_0_14_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_14;
-      slice3window_sum_0_15_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_15;
-      slice3window_sum_0_16_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_16;
-      slice3window_sum_0_17_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_17;
-      slice3window_sum_0_18_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_18;
-      slice3window_sum_0_19_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_19;
-      slice3window_sum_0_20_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_20;
-      slice3window_sum_0_21_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_21;
-      slice3window_sum_0_22_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_22;
-      slice3window_sum_0_23_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_23;
-      slice3window_sum_0_24_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_24;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_0_choice := 0;
+      else
+        slice3window_sum_0_0_choice := slice3window_sum_0_0;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_1_choice := 0;
+      else
+        slice3window_sum_0_1_choice := slice3window_sum_0_1;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_2_choice := 0;
+      else
+        slice3window_sum_0_2_choice := slice3window_sum_0_2;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_3_choice := 0;
+      else
+        slice3window_sum_0_3_choice := slice3window_sum_0_3;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_4_choice := 0;
+      else
+        slice3window_sum_0_4_choice := slice3window_sum_0_4;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_5_choice := 0;
+      else
+        slice3window_sum_0_5_choice := slice3window_sum_0_5;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_6_choice := 0;
+      else
+        slice3window_sum_0_6_choice := slice3window_sum_0_6;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_7_choice := 0;
+      else
+        slice3window_sum_0_7_choice := slice3window_sum_0_7;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_8_choice := 0;
+      else
+        slice3window_sum_0_8_choice := slice3window_sum_0_8;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_9_choice := 0;
+      else
+        slice3window_sum_0_9_choice := slice3window_sum_0_9;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_10_choice := 0;
+      else
+        slice3window_sum_0_10_choice := slice3window_sum_0_10;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_11_choice := 0;
+      else
+        slice3window_sum_0_11_choice := slice3window_sum_0_11;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_12_choice := 0;
+      else
+        slice3window_sum_0_12_choice := slice3window_sum_0_12;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_13_choice := 0;
+      else
+        slice3window_sum_0_13_choice := slice3window_sum_0_13;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_14_choice := 0;
+      else
+        slice3window_sum_0_14_choice := slice3window_sum_0_14;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_15_choice := 0;
+      else
+        slice3window_sum_0_15_choice := slice3window_sum_0_15;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_16_choice := 0;
+      else
+        slice3window_sum_0_16_choice := slice3window_sum_0_16;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_17_choice := 0;
+      else
+        slice3window_sum_0_17_choice := slice3window_sum_0_17;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_18_choice := 0;
+      else
+        slice3window_sum_0_18_choice := slice3window_sum_0_18;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_19_choice := 0;
+      else
+        slice3window_sum_0_19_choice := slice3window_sum_0_19;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_20_choice := 0;
+      else
+        slice3window_sum_0_20_choice := slice3window_sum_0_20;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_21_choice := 0;
+      else
+        slice3window_sum_0_21_choice := slice3window_sum_0_21;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_22_choice := 0;
+      else
+        slice3window_sum_0_22_choice := slice3window_sum_0_22;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_23_choice := 0;
+      else
+        slice3window_sum_0_23_choice := slice3window_sum_0_23;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_24_choice := 0;
+      else
+        slice3window_sum_0_24_choice := slice3window_sum_0_24;
+      end if;
       if slice0winner2_tag_valid then
         slice3window_sum_0_0 <= (slice3window_sum_0_0_choice + slice3window_change_0_0) mod 32768;
         slice3window_sum_0_1 <= (slice3window_sum_0_1_choice + slice3window_change_0_1) mod 32768;
@@ -5739,43 +7971,90 @@ begin
       slice3winner1_best_cost_0_9_is_less := (slice3window_sum_0_19 - slice3window_sum_0_18) < 0;
       slice3winner1_best_cost_0_10_is_less := (slice3window_sum_0_21 - slice3window_sum_0_20) < 0;
       slice3winner1_best_cost_0_11_is_less := (slice3window_sum_0_23 - slice3window_sum_0_22) < 0;
-      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_best_cost_0_0_is_less else
-        slice3window_sum_0_0;
-      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_best_cost_0_1_is_less else
-        slice3window_sum_0_2;
-      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when slice3winner1_best_cost_0_2_is_less else
-        slice3window_sum_0_4;
-      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when slice3winner1_best_cost_0_3_is_less else
-        slice3window_sum_0_6;
-      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when slice3winner1_best_cost_0_4_is_less else
-        slice3window_sum_0_8;
-      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when slice3winner1_best_cost_0_5_is_less else
-        slice3window_sum_0_10;
-      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when slice3winner1_best_cost_0_6_is_less else
-        slice3window_sum_0_12;
-      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when slice3winner1_best_cost_0_7_is_less else
-        slice3window_sum_0_14;
-      slice3winner1_best_cost_0_8 <= slice3window_sum_0_17 when slice3winner1_best_cost_0_8_is_less else
-        slice3window_sum_0_16;
-      slice3winner1_best_cost_0_9 <= slice3window_sum_0_19 when slice3winner1_best_cost_0_9_is_less else
-        slice3window_sum_0_18;
-      slice3winner1_best_cost_0_10 <= slice3window_sum_0_21 when slice3winner1_best_cost_0_10_is_less else
-        slice3window_sum_0_20;
-      slice3winner1_best_cost_0_11 <= slice3window_sum_0_23 when slice3winner1_best_cost_0_11_is_less else
-        slice3window_sum_0_22;
       slice3winner1_best_cost_0_12 <= slice3window_sum_0_24;
       slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
-      slice3winner1_best_index_0_1 <= 3 when slice3winner1_best_cost_0_1_is_less else 2;
-      slice3winner1_best_index_0_2 <= 5 when slice3winner1_best_cost_0_2_is_less else 4;
-      slice3winner1_best_index_0_3 <= 7 when slice3winner1_best_cost_0_3_is_less else 6;
-      slice3winner1_best_index_0_4 <= 9 when slice3winner1_best_cost_0_4_is_less else 8;
-      slice3winner1_best_index_0_5 <= 11 when slice3winner1_best_cost_0_5_is_less else 10;
-      slice3winner1_best_index_0_6 <= 13 when slice3winner1_best_cost_0_6_is_less else 12;
-      slice3winner1_best_index_0_7 <= 15 when slice3winner1_best_cost_0_7_is_less else 14;
-      slice3winner1_best_index_0_8 <= 17 when slice3winner1_best_cost_0_8_is_less else 16;
-      slice3winner1_best_index_0_9 <= 19 when slice3winner1_best_cost_0_9_is_less else 18;
-      slice3winner1_best_index_0_10 <= 21 when slice3winner1_best_cost_0_10_is_less else 20;
-      slice3winner1_best_index_0_11 <= 23 when slice3winner1_best_cost_0_11_is_less else 22;
+      if slice3winner1_best_cost_0_0_is_less then
+        slice3winner1_best_cost_0_0 <= slice3window_sum_0_1;
+      else
+        slice3winner1_best_cost_0_0 <= slice3window_sum_0_0;
+      end if;
+      if slice3winner1_best_cost_0_1_is_less then
+        slice3winner1_best_cost_0_1 <= slice3window_sum_0_3;
+        slice3winner1_best_index_0_1 <= 3;
+      else
+        slice3winner1_best_cost_0_1 <= slice3window_sum_0_2;
+        slice3winner1_best_index_0_1 <= 2;
+      end if;
+      if slice3winner1_best_cost_0_2_is_less then
+        slice3winner1_best_cost_0_2 <= slice3window_sum_0_5;
+        slice3winner1_best_index_0_2 <= 5;
+      else
+        slice3winner1_best_cost_0_2 <= slice3window_sum_0_4;
+        slice3winner1_best_index_0_2 <= 4;
+      end if;
+      if slice3winner1_best_cost_0_3_is_less then
+        slice3winner1_best_cost_0_3 <= slice3window_sum_0_7;
+        slice3winner1_best_index_0_3 <= 7;
+      else
+        slice3winner1_best_cost_0_3 <= slice3window_sum_0_6;
+        slice3winner1_best_index_0_3 <= 6;
+      end if;
+      if slice3winner1_best_cost_0_4_is_less then
+        slice3winner1_best_cost_0_4 <= slice3window_sum_0_9;
+        slice3winner1_best_index_0_4 <= 9;
+      else
+        slice3winner1_best_cost_0_4 <= slice3window_sum_0_8;
+        slice3winner1_best_index_0_4 <= 8;
+      end if;
+      if slice3winner1_best_cost_0_5_is_less then
+        slice3winner1_best_cost_0_5 <= slice3window_sum_0_11;
+        slice3winner1_best_index_0_5 <= 11;
+      else
+        slice3winner1_best_cost_0_5 <= slice3window_sum_0_10;
+        slice3winner1_best_index_0_5 <= 10;
+      end if;
+      if slice3winner1_best_cost_0_6_is_less then
+        slice3winner1_best_cost_0_6 <= slice3window_sum_0_13;
+        slice3winner1_best_index_0_6 <= 13;
+      else
+        slice3winner1_best_cost_0_6 <= slice3window_sum_0_12;
+        slice3winner1_best_index_0_6 <= 12;
+      end if;
+      if slice3winner1_best_cost_0_7_is_less then
+        slice3winner1_best_cost_0_7 <= slice3window_sum_0_15;
+        slice3winner1_best_index_0_7 <= 15;
+      else
+        slice3winner1_best_cost_0_7 <= slice3window_sum_0_14;
+        slice3winner1_best_index_0_7 <= 14;
+      end if;
+      if slice3winner1_best_cost_0_8_is_less then
+        slice3winner1_best_cost_0_8 <= slice3window_sum_0_17;
+        slice3winner1_best_index_0_8 <= 17;
+      else
+        slice3winner1_best_cost_0_8 <= slice3window_sum_0_16;
+        slice3winner1_best_index_0_8 <= 16;
+      end if;
+      if slice3winner1_best_cost_0_9_is_less then
+        slice3winner1_best_cost_0_9 <= slice3window_sum_0_19;
+        slice3winner1_best_index_0_9 <= 19;
+      else
+        slice3winner1_best_cost_0_9 <= slice3window_sum_0_18;
+        slice3winner1_best_index_0_9 <= 18;
+      end if;
+      if slice3winner1_best_cost_0_10_is_less then
+        slice3winner1_best_cost_0_10 <= slice3window_sum_0_21;
+        slice3winner1_best_index_0_10 <= 21;
+      else
+        slice3winner1_best_cost_0_10 <= slice3window_sum_0_20;
+        slice3winner1_best_index_0_10 <= 20;
+      end if;
+      if slice3winner1_best_cost_0_11_is_less then
+        slice3winner1_best_cost_0_11 <= slice3window_sum_0_23;
+        slice3winner1_best_index_0_11 <= 23;
+      else
+        slice3winner1_best_cost_0_11 <= slice3window_sum_0_22;
+        slice3winner1_best_index_0_11 <= 22;
+      end if;
       -- slice3winner2
       slice3winner2_best_cost_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
       slice3winner2_best_cost_0_1_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
@@ -5783,74 +8062,114 @@ begin
       slice3winner2_best_cost_0_3_is_less := (slice3winner1_best_cost_0_7 - slice3winner1_best_cost_0_6) < 0;
       slice3winner2_best_cost_0_4_is_less := (slice3winner1_best_cost_0_9 - slice3winner1_best_cost_0_8) < 0;
       slice3winner2_best_cost_0_5_is_less := (slice3winner1_best_cost_0_11 - slice3winner1_best_cost_0_10) < 0;
-      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner2_best_cost_0_0_is_less else
-        slice3winner1_best_cost_0_0;
-      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when slice3winner2_best_cost_0_1_is_less else
-        slice3winner1_best_cost_0_2;
-      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when slice3winner2_best_cost_0_2_is_less else
-        slice3winner1_best_cost_0_4;
-      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when slice3winner2_best_cost_0_3_is_less else
-        slice3winner1_best_cost_0_6;
-      slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_9 when slice3winner2_best_cost_0_4_is_less else
-        slice3winner1_best_cost_0_8;
-      slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_11 when slice3winner2_best_cost_0_5_is_less else
-        slice3winner1_best_cost_0_10;
       slice3winner2_best_cost_0_6 <= slice3winner1_best_cost_0_12;
-      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_cost_0_0_is_less else
-        as_number(slice3winner1_best_index_0_0);
-      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_cost_0_1_is_less else
-        slice3winner1_best_index_0_2;
-      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_cost_0_2_is_less else
-        slice3winner1_best_index_0_4;
-      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7 when slice3winner2_best_cost_0_3_is_less else
-        slice3winner1_best_index_0_6;
-      slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9 when slice3winner2_best_cost_0_4_is_less else
-        slice3winner1_best_index_0_8;
-      slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11 when slice3winner2_best_cost_0_5_is_less else
-        slice3winner1_best_index_0_10;
+      if slice3winner2_best_cost_0_0_is_less then
+        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1;
+        slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1;
+      else
+        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_0;
+        slice3winner2_best_index_0_0 <= as_number(slice3winner1_best_index_0_0);
+      end if;
+      if slice3winner2_best_cost_0_1_is_less then
+        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3;
+        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3;
+      else
+        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_2;
+        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_2;
+      end if;
+      if slice3winner2_best_cost_0_2_is_less then
+        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5;
+        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5;
+      else
+        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_4;
+        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_4;
+      end if;
+      if slice3winner2_best_cost_0_3_is_less then
+        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7;
+        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7;
+      else
+        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_6;
+        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_6;
+      end if;
+      if slice3winner2_best_cost_0_4_is_less then
+        slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_9;
+        slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9;
+      else
+        slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_8;
+        slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_8;
+      end if;
+      if slice3winner2_best_cost_0_5_is_less then
+        slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_11;
+        slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11;
+      else
+        slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_10;
+        slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_10;
+      end if;
       -- slice3winner3
       slice3winner3_best_cost_0_0_is_less := (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0;
       slice3winner3_best_cost_0_1_is_less := (slice3winner2_best_cost_0_3 - slice3winner2_best_cost_0_2) < 0;
       slice3winner3_best_cost_0_2_is_less := (slice3winner2_best_cost_0_5 - slice3winner2_best_cost_0_4) < 0;
-      slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when slice3winner3_best_cost_0_0_is_less else
-        slice3winner2_best_cost_0_0;
-      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when slice3winner3_best_cost_0_1_is_less else
-        slice3winner2_best_cost_0_2;
-      slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_5 when slice3winner3_best_cost_0_2_is_less else
-        slice3winner2_best_cost_0_4;
       slice3winner3_best_cost_0_3 <= slice3winner2_best_cost_0_6;
-      slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_cost_0_0_is_less else
-        slice3winner2_best_index_0_0;
-      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3 when slice3winner3_best_cost_0_1_is_less else
-        slice3winner2_best_index_0_2;
-      slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5 when slice3winner3_best_cost_0_2_is_less else
-        slice3winner2_best_index_0_4;
+      if slice3winner3_best_cost_0_0_is_less then
+        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1;
+        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1;
+      else
+        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_0;
+        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_0;
+      end if;
+      if slice3winner3_best_cost_0_1_is_less then
+        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3;
+        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3;
+      else
+        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_2;
+        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_2;
+      end if;
+      if slice3winner3_best_cost_0_2_is_less then
+        slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_5;
+        slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5;
+      else
+        slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_4;
+        slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_4;
+      end if;
       -- slice3winner4
       slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0_1 - slice3winner3_best_cost_0_0) < 0;
       slice3winner4_best_cost_0_1_is_less := (slice3winner3_best_cost_0_3 - slice3winner3_best_cost_0_2) < 0;
-      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when slice3winner4_best_cost_0_0_is_less else
-        slice3winner3_best_cost_0_0;
-      slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_3 when slice3winner4_best_cost_0_1_is_less else
-        slice3winner3_best_cost_0_2;
-      slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1 when slice3winner4_best_cost_0_0_is_less else
-        slice3winner3_best_index_0_0;
-      slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_0_1_is_less else
-        slice3winner3_best_index_0_2;
+      if slice3winner4_best_cost_0_0_is_less then
+        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1;
+        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1;
+      else
+        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_0;
+        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_0;
+      end if;
+      if slice3winner4_best_cost_0_1_is_less then
+        slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_3;
+        slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_2;
+        slice3winner4_best_index_0_1 <= slice3winner3_best_index_0_2;
+      end if;
       -- slice3winner5
       slice3winner5_best_cost_0_0_is_less := (slice3winner4_best_cost_0_1 - slice3winner4_best_cost_0_0) < 0;
-      slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_1 when slice3winner5_best_cost_0_0_is_less else
-        slice3winner4_best_cost_0_0;
-      slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1 when slice3winner5_best_cost_0_0_is_less else
-        slice3winner4_best_index_0_0;
+      if slice3winner5_best_cost_0_0_is_less then
+        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_1;
+        slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1;
+      else
+        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_0;
+        slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_0;
+      end if;
       -- slice3
       slice3_best_cost_0_0_is_less := (slice2_best_cost_0_0 - slice3winner5_best_cost_0_0) < 0;
-      slice3_best_cost_0_0 <= slice2_best_cost_0_0 when slice3_best_cost_0_0_is_less else slice3winner5_best_cost_0_0;
-      slice3_best_index_0_0 <= slice2_best_index_0_0 when slice3_best_cost_0_0_is_less else
-        (((slice3winner5_best_index_0_0 / 4) + 7) * 4) + (slice3winner5_best_index_0_0 mod 4);
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
       slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
+      if slice3_best_cost_0_0_is_less then
+        slice3_best_cost_0_0 <= slice2_best_cost_0_0;
+        slice3_best_index_0_0 <= slice2_best_index_0_0;
+      else
+        slice3_best_cost_0_0 <= slice3winner5_best_cost_0_0;
+        slice3_best_index_0_0 <= (((slice3winner5_best_index_0_0 / 4) + 7) * 4) + (slice3winner5_best_index_0_0 mod 4);
+      end if;
       -- slice4shift
       if slice0cost_ready_tag_valid then
         slice4shift_search_0_0 <= slice4shift_search_0_1;
@@ -5909,88 +8228,256 @@ begin
       slice4shift_search_out_0 <= slice4shift_search_0_0;
       slice4shift_search_out_1 <= slice4shift_search_1_0;
       -- slice4cost
-      slice4cost_column_0_0_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_0 mod 4096;
-      slice4cost_column_0_0_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_0 +
-        slice4cost_column_0_0_choice) mod 4096;
-      slice4cost_column_0_1_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_0 / 4096;
-      slice4cost_column_0_1_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_1 +
-        slice4cost_column_0_1_choice) mod 4096;
-      slice4cost_column_0_2_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_1 mod 4096;
-      slice4cost_column_0_2_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_2 +
-        slice4cost_column_0_2_choice) mod 4096;
-      slice4cost_column_0_3_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_1 / 4096;
-      slice4cost_column_0_3_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_3 +
-        slice4cost_column_0_3_choice) mod 4096;
-      slice4cost_column_0_4_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_2 mod 4096;
-      slice4cost_column_0_4_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_4 +
-        slice4cost_column_0_4_choice) mod 4096;
-      slice4cost_column_0_5_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_2 / 4096;
-      slice4cost_column_0_5_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_5 +
-        slice4cost_column_0_5_choice) mod 4096;
-      slice4cost_column_0_6_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_3 mod 4096;
-      slice4cost_column_0_6_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_6 +
-        slice4cost_column_0_6_choice) mod 4096;
-      slice4cost_column_0_7_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_3 / 4096;
-      slice4cost_column_0_7_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_7 +
-        slice4cost_column_0_7_choice) mod 4096;
-      slice4cost_column_0_8_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_4 mod 4096;
-      slice4cost_column_0_8_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_8 +
-        slice4cost_column_0_8_choice) mod 4096;
-      slice4cost_column_0_9_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_4 / 4096;
-      slice4cost_column_0_9_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_9 +
-        slice4cost_column_0_9_choice) mod 4096;
-      slice4cost_column_0_10_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_5 mod
-        4096;
-      slice4cost_column_0_10_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_10 +
-        slice4cost_column_0_10_choice) mod 4096;
-      slice4cost_column_0_11_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_5 / 4096;
-      slice4cost_column_0_11_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_11 +
-        slice4cost_column_0_11_choice) mod 4096;
-      slice4cost_column_0_12_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_6 mod
-        4096;
-      slice4cost_column_0_12_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_12 +
-        slice4cost_column_0_12_choice) mod 4096;
-      slice4cost_column_0_13_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_6 / 4096;
-      slice4cost_column_0_13_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_13 +
-        slice4cost_column_0_13_choice) mod 4096;
-      slice4cost_column_0_14_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_7 mod
-        4096;
-      slice4cost_column_0_14_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_14 +
-        slice4cost_column_0_14_choice) mod 4096;
-      slice4cost_column_0_15_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_7 / 4096;
-      slice4cost_column_0_15_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_15 +
-        slice4cost_column_0_15_choice) mod 4096;
-      slice4cost_column_0_16_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_8 mod
-        4096;
-      slice4cost_column_0_16_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_16 +
-        slice4cost_column_0_16_choice) mod 4096;
-      slice4cost_column_0_17_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_8 / 4096;
-      slice4cost_column_0_17_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_17 +
-        slice4cost_column_0_17_choice) mod 4096;
-      slice4cost_column_0_18_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_9 mod
-        4096;
-      slice4cost_column_0_18_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_18 +
-        slice4cost_column_0_18_choice) mod 4096;
-      slice4cost_column_0_19_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_9 / 4096;
-      slice4cost_column_0_19_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_19 +
-        slice4cost_column_0_19_choice) mod 4096;
-      slice4cost_column_0_20_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_10 mod
-        4096;
-      slice4cost_column_0_20_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_20 +
-        slice4cost_column_0_20_choice) mod 4096;
-      slice4cost_column_0_21_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_10 / 4096;
-      slice4cost_column_0_21_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_21 +
-        slice4cost_column_0_21_choice) mod 4096;
-      slice4cost_column_0_22_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_11 mod
-        4096;
-      slice4cost_column_0_22_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_22 +
-        slice4cost_column_0_22_choice) mod 4096;
-      slice4cost_column_0_23_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_11 / 4096;
-      slice4cost_column_0_23_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_23 +
-        slice4cost_column_0_23_choice) mod 4096;
-      slice4cost_column_0_24_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_12;
-      slice4cost_column_0_24_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_24 +
-        slice4cost_column_0_24_choice) mod 4096;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_0_choice := 0;
+      else
+        slice4cost_column_0_0_choice := slice4cost_ready_words_0 mod 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_0_choice_2 := 0;
+      else
+        slice4cost_column_0_0_choice_2 := (slice4cost_change_0_0 + slice4cost_column_0_0_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_1_choice := 0;
+      else
+        slice4cost_column_0_1_choice := slice4cost_ready_words_0 / 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_1_choice_2 := 0;
+      else
+        slice4cost_column_0_1_choice_2 := (slice4cost_change_0_1 + slice4cost_column_0_1_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_2_choice := 0;
+      else
+        slice4cost_column_0_2_choice := slice4cost_ready_words_1 mod 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_2_choice_2 := 0;
+      else
+        slice4cost_column_0_2_choice_2 := (slice4cost_change_0_2 + slice4cost_column_0_2_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_3_choice := 0;
+      else
+        slice4cost_column_0_3_choice := slice4cost_ready_words_1 / 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_3_choice_2 := 0;
+      else
+        slice4cost_column_0_3_choice_2 := (slice4cost_change_0_3 + slice4cost_column_0_3_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_4_choice := 0;
+      else
+        slice4cost_column_0_4_choice := slice4cost_ready_words_2 mod 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_4_choice_2 := 0;
+      else
+        slice4cost_column_0_4_choice_2 := (slice4cost_change_0_4 + slice4cost_column_0_4_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_5_choice := 0;
+      else
+        slice4cost_column_0_5_choice := slice4cost_ready_words_2 / 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_5_choice_2 := 0;
+      else
+        slice4cost_column_0_5_choice_2 := (slice4cost_change_0_5 + slice4cost_column_0_5_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_6_choice := 0;
+      else
+        slice4cost_column_0_6_choice := slice4cost_ready_words_3 mod 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_6_choice_2 := 0;
+      else
+        slice4cost_column_0_6_choice_2 := (slice4cost_change_0_6 + slice4cost_column_0_6_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_7_choice := 0;
+      else
+        slice4cost_column_0_7_choice := slice4cost_ready_words_3 / 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_7_choice_2 := 0;
+      else
+        slice4cost_column_0_7_choice_2 := (slice4cost_change_0_7 + slice4cost_column_0_7_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_8_choice := 0;
+      else
+        slice4cost_column_0_8_choice := slice4cost_ready_words_4 mod 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_8_choice_2 := 0;
+      else
+        slice4cost_column_0_8_choice_2 := (slice4cost_change_0_8 + slice4cost_column_0_8_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_9_choice := 0;
+      else
+        slice4cost_column_0_9_choice := slice4cost_ready_words_4 / 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_9_choice_2 := 0;
+      else
+        slice4cost_column_0_9_choice_2 := (slice4cost_change_0_9 + slice4cost_column_0_9_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_10_choice := 0;
+      else
+        slice4cost_column_0_10_choice := slice4cost_ready_words_5 mod 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_10_choice_2 := 0;
+      else
+        slice4cost_column_0_10_choice_2 := (slice4cost_change_0_10 + slice4cost_column_0_10_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_11_choice := 0;
+      else
+        slice4cost_column_0_11_choice := slice4cost_ready_words_5 / 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_11_choice_2 := 0;
+      else
+        slice4cost_column_0_11_choice_2 := (slice4cost_change_0_11 + slice4cost_column_0_11_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_12_choice := 0;
+      else
+        slice4cost_column_0_12_choice := slice4cost_ready_words_6 mod 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_12_choice_2 := 0;
+      else
+        slice4cost_column_0_12_choice_2 := (slice4cost_change_0_12 + slice4cost_column_0_12_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_13_choice := 0;
+      else
+        slice4cost_column_0_13_choice := slice4cost_ready_words_6 / 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_13_choice_2 := 0;
+      else
+        slice4cost_column_0_13_choice_2 := (slice4cost_change_0_13 + slice4cost_column_0_13_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_14_choice := 0;
+      else
+        slice4cost_column_0_14_choice := slice4cost_ready_words_7 mod 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_14_choice_2 := 0;
+      else
+        slice4cost_column_0_14_choice_2 := (slice4cost_change_0_14 + slice4cost_column_0_14_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_15_choice := 0;
+      else
+        slice4cost_column_0_15_choice := slice4cost_ready_words_7 / 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_15_choice_2 := 0;
+      else
+        slice4cost_column_0_15_choice_2 := (slice4cost_change_0_15 + slice4cost_column_0_15_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_16_choice := 0;
+      else
+        slice4cost_column_0_16_choice := slice4cost_ready_words_8 mod 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_16_choice_2 := 0;
+      else
+        slice4cost_column_0_16_choice_2 := (slice4cost_change_0_16 + slice4cost_column_0_16_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_17_choice := 0;
+      else
+        slice4cost_column_0_17_choice := slice4cost_ready_words_8 / 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_17_choice_2 := 0;
+      else
+        slice4cost_column_0_17_choice_2 := (slice4cost_change_0_17 + slice4cost_column_0_17_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_18_choice := 0;
+      else
+        slice4cost_column_0_18_choice := slice4cost_ready_words_9 mod 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_18_choice_2 := 0;
+      else
+        slice4cost_column_0_18_choice_2 := (slice4cost_change_0_18 + slice4cost_column_0_18_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_19_choice := 0;
+      else
+        slice4cost_column_0_19_choice := slice4cost_ready_words_9 / 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_19_choice_2 := 0;
+      else
+        slice4cost_column_0_19_choice_2 := (slice4cost_change_0_19 + slice4cost_column_0_19_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_20_choice := 0;
+      else
+        slice4cost_column_0_20_choice := slice4cost_ready_words_10 mod 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_20_choice_2 := 0;
+      else
+        slice4cost_column_0_20_choice_2 := (slice4cost_change_0_20 + slice4cost_column_0_20_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_21_choice := 0;
+      else
+        slice4cost_column_0_21_choice := slice4cost_ready_words_10 / 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_21_choice_2 := 0;
+      else
+        slice4cost_column_0_21_choice_2 := (slice4cost_change_0_21 + slice4cost_column_0_21_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_22_choice := 0;
+      else
+        slice4cost_column_0_22_choice := slice4cost_ready_words_11 mod 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_22_choice_2 := 0;
+      else
+        slice4cost_column_0_22_choice_2 := (slice4cost_change_0_22 + slice4cost_column_0_22_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_23_choice := 0;
+      else
+        slice4cost_column_0_23_choice := slice4cost_ready_words_11 / 4096;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_23_choice_2 := 0;
+      else
+        slice4cost_column_0_23_choice_2 := (slice4cost_change_0_23 + slice4cost_column_0_23_choice) mod 4096;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_24_choice := 0;
+      else
+        slice4cost_column_0_24_choice := slice4cost_ready_words_12;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_24_choice_2 := 0;
+      else
+        slice4cost_column_0_24_choice_2 := (slice4cost_change_0_24 + slice4cost_column_0_24_choice) mod 4096;
+      end if;
       slice4cost_pixels_first_0_0 <= slice4shift_search_0_0 - slice4shift_reference_0;
       slice4cost_pixels_first_0_1 <= slice4shift_search_0_1 - slice4shift_reference_0;
       slice4cost_pixels_first_0_2 <= slice4shift_search_0_2 - slice4shift_reference_0;
@@ -6225,9 +8712,12 @@ begin
       end if;
       -- slice4window
       if slice0winner1_tag_valid then
-        slice4window_ring_read_address <= 0 when slice4window_ring_read_address = 9 else
-          (slice4window_ring_read_address + 1) mod 16;
         slice4window_ring_write_address <= slice4window_ring_read_address;
+        if slice4window_ring_read_address = 9 then
+          slice4window_ring_read_address <= 0;
+        else
+          slice4window_ring_read_address <= (slice4window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice3window_change_tag_leaves_window then
         slice4window_change_0_0_choice := to_integer(slice4window_leaving_0(11 downto 0));
@@ -6408,31 +8898,131 @@ begin
       slice4window_centre_output_column_0 <= slice3window_centre_output_column_0;
       slice4window_centre_first_column_0 <= slice3window_centre_first_column_0;
       slice4window_centre_end_of_line_0 <= slice3window_centre_end_of_line_0;
-      slice4window_sum_0_0_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_0;
-      slice4window_sum_0_1_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_1;
-      slice4window_sum_0_2_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_2;
-      slice4window_sum_0_3_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_3;
-      slice4window_sum_0_4_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_4;
-      slice4window_sum_0_5_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_5;
-      slice4window_sum_0_6_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_6;
-      slice4window_sum_0_7_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_7;
-      slice4window_sum_0_8_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_8;
-      slice4window_sum_0_9_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_9;
-      slice4window_sum_0_10_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_10;
-      slice4window_sum_0_11_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_11;
-      slice4window_sum_0_12_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_12;
-      slice4window_sum_0_13_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_13;
-      slice4window_sum_0_14_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_14;
-      slice4window_sum_0_15_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_15;
-      slice4window_sum_0_16_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_16;
-      slice4window_sum_0_17_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_17;
-      slice4window_sum_0_18_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_18;
-      slice4window_sum_0_19_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_19;
-      slice4window_sum_0_20_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_20;
-      slice4window_sum_0_21_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_21;
-      slice4window_sum_0_22_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_22;
-      slice4window_sum_0_23_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_23;
-      slice4window_sum_0_24_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_24;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_0_choice := 0;
+      else
+        slice4window_sum_0_0_choice := slice4window_sum_0_0;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_1_choice := 0;
+      else
+        slice4window_sum_0_1_choice := slice4window_sum_0_1;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_2_choice := 0;
+      else
+        slice4window_sum_0_2_choice := slice4window_sum_0_2;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_3_choice := 0;
+      else
+        slice4window_sum_0_3_choice := slice4window_sum_0_3;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_4_choice := 0;
+      else
+        slice4window_sum_0_4_choice := slice4window_sum_0_4;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_5_choice := 0;
+      else
+        slice4window_sum_0_5_choice := slice4window_sum_0_5;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_6_choice := 0;
+      else
+        slice4window_sum_0_6_choice := slice4window_sum_0_6;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_7_choice := 0;
+      else
+        slice4window_sum_0_7_choice := slice4window_sum_0_7;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_8_choice := 0;
+      else
+        slice4window_sum_0_8_choice := slice4window_sum_0_8;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_9_choice := 0;
+      else
+        slice4window_sum_0_9_choice := slice4window_sum_0_9;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_10_choice := 0;
+      else
+        slice4window_sum_0_10_choice := slice4window_sum_0_10;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_11_choice := 0;
+      else
+        slice4window_sum_0_11_choice := slice4window_sum_0_11;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_12_choice := 0;
+      else
+        slice4window_sum_0_12_choice := slice4window_sum_0_12;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_13_choice := 0;
+      else
+        slice4window_sum_0_13_choice := slice4window_sum_0_13;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_14_choice := 0;
+      else
+        slice4window_sum_0_14_choice := slice4window_sum_0_14;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_15_choice := 0;
+      else
+        slice4window_sum_0_15_choice := slice4window_sum_0_15;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_16_choice := 0;
+      else
+        slice4window_sum_0_16_choice := slice4window_sum_0_16;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_17_choice := 0;
+      else
+        slice4window_sum_0_17_choice := slice4window_sum_0_17;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_18_choice := 0;
+      else
+        slice4window_sum_0_18_choice := slice4window_sum_0_18;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_19_choice := 0;
+      else
+        slice4window_sum_0_19_choice := slice4window_sum_0_19;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_20_choice := 0;
+      else
+        slice4window_sum_0_20_choice := slice4window_sum_0_20;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_21_choice := 0;
+      else
+        slice4window_sum_0_21_choice := slice4window_sum_0_21;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_22_choice := 0;
+      else
+        slice4window_sum_0_22_choice := slice4window_sum_0_22;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_23_choice := 0;
+      else
+        slice4window_sum_0_23_choice := slice4window_sum_0_23;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_24_choice := 0;
+      else
+        slice4window_sum_0_24_choice := slice4window_sum_0_24;
+      end if;
       if slice0winner3_tag_valid then
         slice4window_sum_0_0 <= (slice4window_sum_0_0_choice + slice4window_change_0_0) mod 32768;
         slice4window_sum_0_1 <= (slice4window_sum_0_1_choice + slice4window_change_0_1) mod 32768;
@@ -6473,43 +9063,90 @@ begin
       slice4winner1_best_cost_0_9_is_less := (slice4window_sum_0_19 - slice4window_sum_0_18) < 0;
       slice4winner1_best_cost_0_10_is_less := (slice4window_sum_0_21 - slice4window_sum_0_20) < 0;
       slice4winner1_best_cost_0_11_is_less := (slice4window_sum_0_23 - slice4window_sum_0_22) < 0;
-      slice4winner1_best_cost_0_0 <= slice4window_sum_0_1 when slice4winner1_best_cost_0_0_is_less else
-        slice4window_sum_0_0;
-      slice4winner1_best_cost_0_1 <= slice4window_sum_0_3 when slice4winner1_best_cost_0_1_is_less else
-        slice4window_sum_0_2;
-      slice4winner1_best_cost_0_2 <= slice4window_sum_0_5 when slice4winner1_best_cost_0_2_is_less else
-        slice4window_sum_0_4;
-      slice4winner1_best_cost_0_3 <= slice4window_sum_0_7 when slice4winner1_best_cost_0_3_is_less else
-        slice4window_sum_0_6;
-      slice4winner1_best_cost_0_4 <= slice4window_sum_0_9 when slice4winner1_best_cost_0_4_is_less else
-        slice4window_sum_0_8;
-      slice4winner1_best_cost_0_5 <= slice4window_sum_0_11 when slice4winner1_best_cost_0_5_is_less else
-        slice4window_sum_0_10;
-      slice4winner1_best_cost_0_6 <= slice4window_sum_0_13 when slice4winner1_best_cost_0_6_is_less else
-        slice4window_sum_0_12;
-      slice4winner1_best_cost_0_7 <= slice4window_sum_0_15 when slice4winner1_best_cost_0_7_is_less else
-        slice4window_sum_0_14;
-      slice4winner1_best_cost_0_8 <= slice4window_sum_0_17 when slice4winner1_best_cost_0_8_is_less else
-        slice4window_sum_0_16;
-      slice4winner1_best_cost_0_9 <= slice4window_sum_0_19 when slice4winner1_best_cost_0_9_is_less else
-        slice4window_sum_0_18;
-      slice4winner1_best_cost_0_10 <= slice4window_sum_0_21 when slice4winner1_best_cost_0_10_is_less else
-        slice4window_sum_0_20;
-      slice4winner1_best_cost_0_11 <= slice4window_sum_0_23 when slice4winner1_best_cost_0_11_is_less else
-        slice4window_sum_0_22;
       slice4winner1_best_cost_0_12 <= slice4window_sum_0_24;
       slice4winner1_best_index_0_0 <= slice4winner1_best_cost_0_0_is_less;
-      slice4winner1_best_index_0_1 <= 3 when slice4winner1_best_cost_0_1_is_less else 2;
-      slice4winner1_best_index_0_2 <= 5 when slice4winner1_best_cost_0_2_is_less else 4;
-      slice4winner1_best_index_0_3 <= 7 when slice4winner1_best_cost_0_3_is_less else 6;
-      slice4winner1_best_index_0_4 <= 9 when slice4winner1_best_cost_0_4_is_less else 8;
-      slice4winner1_best_index_0_5 <= 11 when slice4winner1_best_cost_0_5_is_less else 10;
-      slice4winner1_best_index_0_6 <= 13 when slice4winner1_best_cost_0_6_is_less else 12;
-      slice4winner1_best_index_0_7 <= 15 when slice4winner1_best_cost_0_7_is_less else 14;
-      slice4winner1_best_index_0_8 <= 17 when slice4winner1_best_cost_0_8_is_less else 16;
-      slice4winner1_best_index_0_9 <= 19 when slice4winner1_best_cost_0_9_is_less else 18;
-      slice4winner1_best_index_0_10 <= 21 when slice4winner1_best_cost_0_10_is_less else 20;
-      slice4winner1_best_index_0_11 <= 23 when slice4winner1_best_cost_0_11_is_less else 22;
+      if slice4winner1_best_cost_0_0_is_less then
+        slice4winner1_best_cost_0_0 <= slice4window_sum_0_1;
+      else
+        slice4winner1_best_cost_0_0 <= slice4window_sum_0_0;
+      end if;
+      if slice4winner1_best_cost_0_1_is_less then
+        slice4winner1_best_cost_0_1 <= slice4window_sum_0_3;
+        slice4winner1_best_index_0_1 <= 3;
+      else
+        slice4winner1_best_cost_0_1 <= slice4window_sum_0_2;
+        slice4winner1_best_index_0_1 <= 2;
+      end if;
+      if slice4winner1_best_cost_0_2_is_less then
+        slice4winner1_best_cost_0_2 <= slice4window_sum_0_5;
+        slice4winner1_best_index_0_2 <= 5;
+      else
+        slice4winner1_best_cost_0_2 <= slice4window_sum_0_4;
+        slice4winner1_best_index_0_2 <= 4;
+      end if;
+      if slice4winner1_best_cost_0_3_is_less then
+        slice4winner1_best_cost_0_3 <= slice4window_sum_0_7;
+        slice4winner1_best_index_0_3 <= 7;
+      else
+        slice4winner1_best_cost_0_3 <= slice4window_sum_0_6;
+        slice4winner1_best_index_0_3 <= 6;
+      end if;
+      if slice4winner1_best_cost_0_4_is_less then
+        slice4winner1_best_cost_0_4 <= slice4window_sum_0_9;
+        slice4winner1_best_index_0_4 <= 9;
+      else
+        slice4winner1_best_cost_0_4 <= slice4window_sum_0_8;
+        slice4winner1_best_index_0_4 <= 8;
+      end if;
+      if slice4winner1_best_cost_0_5_is_less then
+        slice4winner1_best_cost_0_5 <= slice4window_sum_0_11;
+        slice4winner1_best_index_0_5 <= 11;
+      else
+        slice4winner1_best_cost_0_5 <= slice4window_sum_0_10;
+        slice4winner1_best_index_0_5 <= 10;
+      end if;
+      if slice4winner1_best_cost_0_6_is_less then
+        slice4winner1_best_cost_0_6 <= slice4window_sum_0_13;
+        slice4winner1_best_index_0_6 <= 13;
+      else
+        slice4winner1_best_cost_0_6 <= slice4window_sum_0_12;
+        slice4winner1_best_index_0_6 <= 12;
+      end if;
+      if slice4winner1_best_cost_0_7_is_less then
+        slice4winner1_best_cost_0_7 <= slice4window_sum_0_15;
+        slice4winner1_best_index_0_7 <= 15;
+      else
+        slice4winner1_best_cost_0_7 <= slice4window_sum_0_14;
+        slice4winner1_best_index_0_7 <= 14;
+      end if;
+      if slice4winner1_best_cost_0_8_is_less then
+        slice4winner1_best_cost_0_8 <= slice4window_sum_0_17;
+        slice4winner1_best_index_0_8 <= 17;
+      else
+        slice4winner1_best_cost_0_8 <= slice4window_sum_0_16;
+        slice4winner1_best_index_0_8 <= 16;
+      end if;
+      if slice4winner1_best_cost_0_9_is_less then
+        slice4winner1_best_cost_0_9 <= slice4window_sum_0_19;
+        slice4winner1_best_index_0_9 <= 19;
+      else
+        slice4winner1_best_cost_0_9 <= slice4window_sum_0_18;
+        slice4winner1_best_index_0_9 <= 18;
+      end if;
+      if slice4winner1_best_cost_0_10_is_less then
+        slice4winner1_best_cost_0_10 <= slice4window_sum_0_21;
+        slice4winner1_best_index_0_10 <= 21;
+      else
+        slice4winner1_best_cost_0_10 <= slice4window_sum_0_20;
+        slice4winner1_best_index_0_10 <= 20;
+      end if;
+      if slice4winner1_best_cost_0_11_is_less then
+        slice4winner1_best_cost_0_11 <= slice4window_sum_0_23;
+        slice4winner1_best_index_0_11 <= 23;
+      else
+        slice4winner1_best_cost_0_11 <= slice4window_sum_0_22;
+        slice4winner1_best_index_0_11 <= 22;
+      end if;
       -- slice4winner2
       slice4winner2_best_cost_0_0_is_less := (slice4winner1_best_cost_0_1 - slice4winner1_best_cost_0_0) < 0;
       slice4winner2_best_cost_0_1_is_less := (slice4winner1_best_cost_0_3 - slice4winner1_best_cost_0_2) < 0;
@@ -6517,74 +9154,114 @@ begin
       slice4winner2_best_cost_0_3_is_less := (slice4winner1_best_cost_0_7 - slice4winner1_best_cost_0_6) < 0;
       slice4winner2_best_cost_0_4_is_less := (slice4winner1_best_cost_0_9 - slice4winner1_best_cost_0_8) < 0;
       slice4winner2_best_cost_0_5_is_less := (slice4winner1_best_cost_0_11 - slice4winner1_best_cost_0_10) < 0;
-      slice4winner2_best_cost_0_0 <= slice4winner1_best_cost_0_1 when slice4winner2_best_cost_0_0_is_less else
-        slice4winner1_best_cost_0_0;
-      slice4winner2_best_cost_0_1 <= slice4winner1_best_cost_0_3 when slice4winner2_best_cost_0_1_is_less else
-        slice4winner1_best_cost_0_2;
-      slice4winner2_best_cost_0_2 <= slice4winner1_best_cost_0_5 when slice4winner2_best_cost_0_2_is_less else
-        slice4winner1_best_cost_0_4;
-      slice4winner2_best_cost_0_3 <= slice4winner1_best_cost_0_7 when slice4winner2_best_cost_0_3_is_less else
-        slice4winner1_best_cost_0_6;
-      slice4winner2_best_cost_0_4 <= slice4winner1_best_cost_0_9 when slice4winner2_best_cost_0_4_is_less else
-        slice4winner1_best_cost_0_8;
-      slice4winner2_best_cost_0_5 <= slice4winner1_best_cost_0_11 when slice4winner2_best_cost_0_5_is_less else
-        slice4winner1_best_cost_0_10;
       slice4winner2_best_cost_0_6 <= slice4winner1_best_cost_0_12;
-      slice4winner2_best_index_0_0 <= slice4winner1_best_index_0_1 when slice4winner2_best_cost_0_0_is_less else
-        as_number(slice4winner1_best_index_0_0);
-      slice4winner2_best_index_0_1 <= slice4winner1_best_index_0_3 when slice4winner2_best_cost_0_1_is_less else
-        slice4winner1_best_index_0_2;
-      slice4winner2_best_index_0_2 <= slice4winner1_best_index_0_5 when slice4winner2_best_cost_0_2_is_less else
-        slice4winner1_best_index_0_4;
-      slice4winner2_best_index_0_3 <= slice4winner1_best_index_0_7 when slice4winner2_best_cost_0_3_is_less else
-        slice4winner1_best_index_0_6;
-      slice4winner2_best_index_0_4 <= slice4winner1_best_index_0_9 when slice4winner2_best_cost_0_4_is_less else
-        slice4winner1_best_index_0_8;
-      slice4winner2_best_index_0_5 <= slice4winner1_best_index_0_11 when slice4winner2_best_cost_0_5_is_less else
-        slice4winner1_best_index_0_10;
+      if slice4winner2_best_cost_0_0_is_less then
+        slice4winner2_best_cost_0_0 <= slice4winner1_best_cost_0_1;
+        slice4winner2_best_index_0_0 <= slice4winner1_best_index_0_1;
+      else
+        slice4winner2_best_cost_0_0 <= slice4winner1_best_cost_0_0;
+        slice4winner2_best_index_0_0 <= as_number(slice4winner1_best_index_0_0);
+      end if;
+      if slice4winner2_best_cost_0_1_is_less then
+        slice4winner2_best_cost_0_1 <= slice4winner1_best_cost_0_3;
+        slice4winner2_best_index_0_1 <= slice4winner1_best_index_0_3;
+      else
+        slice4winner2_best_cost_0_1 <= slice4winner1_best_cost_0_2;
+        slice4winner2_best_index_0_1 <= slice4winner1_best_index_0_2;
+      end if;
+      if slice4winner2_best_cost_0_2_is_less then
+        slice4winner2_best_cost_0_2 <= slice4winner1_best_cost_0_5;
+        slice4winner2_best_index_0_2 <= slice4winner1_best_index_0_5;
+      else
+        slice4winner2_best_cost_0_2 <= slice4winner1_best_cost_0_4;
+        slice4winner2_best_index_0_2 <= slice4winner1_best_index_0_4;
+      end if;
+      if slice4winner2_best_cost_0_3_is_less then
+        slice4winner2_best_cost_0_3 <= slice4winner1_best_cost_0_7;
+        slice4winner2_best_index_0_3 <= slice4winner1_best_index_0_7;
+      else
+        slice4winner2_best_cost_0_3 <= slice4winner1_best_cost_0_6;
+        slice4winner2_best_index_0_3 <= slice4winner1_best_index_0_6;
+      end if;
+      if slice4winner2_best_cost_0_4_is_less then
+        slice4winner2_best_cost_0_4 <= slice4winner1_best_cost_0_9;
+        slice4winner2_best_index_0_4 <= slice4winner1_best_index_0_9;
+      else
+        slice4winner2_best_cost_0_4 <= slice4winner1_best_cost_0_8;
+        slice4winner2_best_index_0_4 <= slice4winner1_best_index_0_8;
+      end if;
+      if slice4winner2_best_cost_0_5_is_less then
+        slice4winner2_best_cost_0_5 <= slice4winner1_best_cost_0_11;
+        slice4winner2_best_index_0_5 <= slice4winner1_best_index_0_11;
+      else
+        slice4winner2_best_cost_0_5 <= slice4winner1_best_cost_0_10;
+        slice4winner2_best_index_0_5 <= slice4winner1_best_index_0_10;
+      end if;
       -- slice4winner3
       slice4winner3_best_cost_0_0_is_less := (slice4winner2_best_cost_0_1 - slice4winner2_best_cost_0_0) < 0;
       slice4winner3_best_cost_0_1_is_less := (slice4winner2_best_cost_0_3 - slice4winner2_best_cost_0_2) < 0;
       slice4winner3_best_cost_0_2_is_less := (slice4winner2_best_cost_0_5 - slice4winner2_best_cost_0_4) < 0;
-      slice4winner3_best_cost_0_0 <= slice4winner2_best_cost_0_1 when slice4winner3_best_cost_0_0_is_less else
-        slice4winner2_best_cost_0_0;
-      slice4winner3_best_cost_0_1 <= slice4winner2_best_cost_0_3 when slice4winner3_best_cost_0_1_is_less else
-        slice4winner2_best_cost_0_2;
-      slice4winner3_best_cost_0_2 <= slice4winner2_best_cost_0_5 when slice4winner3_best_cost_0_2_is_less else
-        slice4winner2_best_cost_0_4;
       slice4winner3_best_cost_0_3 <= slice4winner2_best_cost_0_6;
-      slice4winner3_best_index_0_0 <= slice4winner2_best_index_0_1 when slice4winner3_best_cost_0_0_is_less else
-        slice4winner2_best_index_0_0;
-      slice4winner3_best_index_0_1 <= slice4winner2_best_index_0_3 when slice4winner3_best_cost_0_1_is_less else
-        slice4winner2_best_index_0_2;
-      slice4winner3_best_index_0_2 <= slice4winner2_best_index_0_5 when slice4winner3_best_cost_0_2_is_less else
-        slice4winner2_best_index_0_4;
+      if slice4winner3_best_cost_0_0_is_less then
+        slice4winner3_best_cost_0_0 <= slice4winner2_best_cost_0_1;
+        slice4winner3_best_index_0_0 <= slice4winner2_best_index_0_1;
+      else
+        slice4winner3_best_cost_0_0 <= slice4winner2_best_cost_0_0;
+        slice4winner3_best_index_0_0 <= slice4winner2_best_index_0_0;
+      end if;
+      if slice4winner3_best_cost_0_1_is_less then
+        slice4winner3_best_cost_0_1 <= slice4winner2_best_cost_0_3;
+        slice4winner3_best_index_0_1 <= slice4winner2_best_index_0_3;
+      else
+        slice4winner3_best_cost_0_1 <= slice4winner2_best_cost_0_2;
+        slice4winner3_best_index_0_1 <= slice4winner2_best_index_0_2;
+      end if;
+      if slice4winner3_best_cost_0_2_is_less then
+        slice4winner3_best_cost_0_2 <= slice4winner2_best_cost_0_5;
+        slice4winner3_best_index_0_2 <= slice4winner2_best_index_0_5;
+      else
+        slice4winner3_best_cost_0_2 <= slice4winner2_best_cost_0_4;
+        slice4winner3_best_index_0_2 <= slice4winner2_best_index_0_4;
+      end if;
       -- slice4winner4
       slice4winner4_best_cost_0_0_is_less := (slice4winner3_best_cost_0_1 - slice4winner3_best_cost_0_0) < 0;
       slice4winner4_best_cost_0_1_is_less := (slice4winner3_best_cost_0_3 - slice4winner3_best_cost_0_2) < 0;
-      slice4winner4_best_cost_0_0 <= slice4winner3_best_cost_0_1 when slice4winner4_best_cost_0_0_is_less else
-        slice4winner3_best_cost_0_0;
-      slice4winner4_best_cost_0_1 <= slice4winner3_best_cost_0_3 when slice4winner4_best_cost_0_1_is_less else
-        slice4winner3_best_cost_0_2;
-      slice4winner4_best_index_0_0 <= slice4winner3_best_index_0_1 when slice4winner4_best_cost_0_0_is_less else
-        slice4winner3_best_index_0_0;
-      slice4winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice4winner4_best_cost_0_1_is_less else
-        slice4winner3_best_index_0_2;
+      if slice4winner4_best_cost_0_0_is_less then
+        slice4winner4_best_cost_0_0 <= slice4winner3_best_cost_0_1;
+        slice4winner4_best_index_0_0 <= slice4winner3_best_index_0_1;
+      else
+        slice4winner4_best_cost_0_0 <= slice4winner3_best_cost_0_0;
+        slice4winner4_best_index_0_0 <= slice4winner3_best_index_0_0;
+      end if;
+      if slice4winner4_best_cost_0_1_is_less then
+        slice4winner4_best_cost_0_1 <= slice4winner3_best_cost_0_3;
+        slice4winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice4winner4_best_cost_0_1 <= slice4winner3_best_cost_0_2;
+        slice4winner4_best_index_0_1 <= slice4winner3_best_index_0_2;
+      end if;
       -- slice4winner5
       slice4winner5_best_cost_0_0_is_less := (slice4winner4_best_cost_0_1 - slice4winner4_best_cost_0_0) < 0;
-      slice4winner5_best_cost_0_0 <= slice4winner4_best_cost_0_1 when slice4winner5_best_cost_0_0_is_less else
-        slice4winner4_best_cost_0_0;
-      slice4winner5_best_index_0_0 <= slice4winner4_best_index_0_1 when slice4winner5_best_cost_0_0_is_less else
-        slice4winner4_best_index_0_0;
+      if slice4winner5_best_cost_0_0_is_less then
+        slice4winner5_best_cost_0_0 <= slice4winner4_best_cost_0_1;
+        slice4winner5_best_index_0_0 <= slice4winner4_best_index_0_1;
+      else
+        slice4winner5_best_cost_0_0 <= slice4winner4_best_cost_0_0;
+        slice4winner5_best_index_0_0 <= slice4winner4_best_index_0_0;
+      end if;
       -- slice4
       slice4_best_cost_0_0_is_less := (slice3_best_cost_0_0 - slice4winner5_best_cost_0_0) < 0;
-      slice4_best_cost_0_0 <= slice3_best_cost_0_0 when slice4_best_cost_0_0_is_less else slice4winner5_best_cost_0_0;
-      slice4_best_index_0_0 <= slice3_best_index_0_0 when slice4_best_cost_0_0_is_less else
-        slice4winner5_best_index_0_0 + 3;
       slice4_best_tag_valid <= slice3_best_tag_valid;
       slice4_best_tag_output_column <= slice3_best_tag_output_column;
       slice4_best_tag_start_of_frame <= slice3_best_tag_start_of_frame;
       slice4_best_tag_end_of_line <= slice3_best_tag_end_of_line;
+      if slice4_best_cost_0_0_is_less then
+        slice4_best_cost_0_0 <= slice3_best_cost_0_0;
+        slice4_best_index_0_0 <= slice3_best_index_0_0;
+      else
+        slice4_best_cost_0_0 <= slice4winner5_best_cost_0_0;
+        slice4_best_index_0_0 <= slice4winner5_best_index_0_0 + 3;
+      end if;
       -- slice5shift
       if slice0cost_tag_valid then
         slice5shift_search_0_0 <= slice5shift_search_0_1;
@@ -6597,15 +9274,36 @@ begin
       slice5shift_reference_0 <= slice4shift_reference_0;
       slice5shift_reference_1 <= slice4shift_reference_1;
       -- slice5cost
-      slice5cost_column_0_0_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_0 mod 4096;
-      slice5cost_column_0_0_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_0 +
-        slice5cost_column_0_0_choice) mod 4096;
-      slice5cost_column_0_1_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_0 / 4096;
-      slice5cost_column_0_1_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_column_0_1_choice
-        + slice5cost_change_0_1) mod 4096;
-      slice5cost_column_0_2_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_1;
-      slice5cost_column_0_2_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_column_0_2_choice
-        + slice5cost_change_0_2) mod 4096;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_0_choice := 0;
+      else
+        slice5cost_column_0_0_choice := slice5cost_ready_words_0 mod 4096;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_0_choice_2 := 0;
+      else
+        slice5cost_column_0_0_choice_2 := (slice5cost_change_0_0 + slice5cost_column_0_0_choice) mod 4096;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_1_choice := 0;
+      else
+        slice5cost_column_0_1_choice := slice5cost_ready_words_0 / 4096;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_1_choice_2 := 0;
+      else
+        slice5cost_column_0_1_choice_2 := (slice5cost_column_0_1_choice + slice5cost_change_0_1) mod 4096;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_2_choice := 0;
+      else
+        slice5cost_column_0_2_choice := slice5cost_ready_words_1;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_2_choice_2 := 0;
+      else
+        slice5cost_column_0_2_choice_2 := (slice5cost_column_0_2_choice + slice5cost_change_0_2) mod 4096;
+      end if;
       slice5cost_pixels_first_0_0 <= slice5shift_search_0_0 - slice5shift_reference_0;
       slice5cost_pixels_first_0_1 <= slice5shift_search_0_1 - slice5shift_reference_0;
       slice5cost_pixels_first_0_2 <= slice5shift_search_0_2 - slice5shift_reference_0;
@@ -6646,9 +9344,12 @@ begin
       end if;
       -- slice5window
       if slice0winner2_tag_valid then
-        slice5window_ring_read_address <= 0 when slice5window_ring_read_address = 9 else
-          (slice5window_ring_read_address + 1) mod 16;
         slice5window_ring_write_address <= slice5window_ring_read_address;
+        if slice5window_ring_read_address = 9 then
+          slice5window_ring_read_address <= 0;
+        else
+          slice5window_ring_read_address <= (slice5window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice4window_change_tag_leaves_window then
         slice5window_change_0_0_choice := to_integer(slice5window_leaving_0(11 downto 0));
@@ -6671,9 +9372,21 @@ begin
       slice5window_change_0_0 <= slice5window_entering_0_0 - slice5window_change_0_0_choice;
       slice5window_change_0_1 <= slice5window_entering_0_1 - slice5window_change_0_1_choice;
       slice5window_change_0_2 <= slice5window_entering_0_2 - slice5window_change_0_2_choice;
-      slice5window_sum_0_0_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_0;
-      slice5window_sum_0_1_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_1;
-      slice5window_sum_0_2_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_2;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_0_choice := 0;
+      else
+        slice5window_sum_0_0_choice := slice5window_sum_0_0;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_1_choice := 0;
+      else
+        slice5window_sum_0_1_choice := slice5window_sum_0_1;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_2_choice := 0;
+      else
+        slice5window_sum_0_2_choice := slice5window_sum_0_2;
+      end if;
       if slice0winner4_tag_valid then
         slice5window_sum_0_0 <= (slice5window_sum_0_0_choice + slice5window_change_0_0) mod 32768;
         slice5window_sum_0_1 <= (slice5window_sum_0_1_choice + slice5window_change_0_1) mod 32768;
@@ -6688,17 +9401,23 @@ begin
       end if;
       -- slice5winner1
       slice5winner1_best_cost_0_0_is_less := (slice5window_sum_0_1 - slice5window_sum_0_0) < 0;
-      slice5winner1_best_cost_0_0 <= slice5window_sum_0_1 when slice5winner1_best_cost_0_0_is_less else
-        slice5window_sum_0_0;
       slice5winner1_best_cost_0_1 <= slice5window_sum_0_2;
       slice5winner1_best_index_0_0 <= slice5winner1_best_cost_0_0_is_less;
       slice5winner1_best_index_0_1 <= 2;
+      if slice5winner1_best_cost_0_0_is_less then
+        slice5winner1_best_cost_0_0 <= slice5window_sum_0_1;
+      else
+        slice5winner1_best_cost_0_0 <= slice5window_sum_0_0;
+      end if;
       -- slice5winner2
       slice5winner2_best_cost_0_0_is_less := (slice5winner1_best_cost_0_1 - slice5winner1_best_cost_0_0) < 0;
-      slice5winner2_best_cost_0_0 <= slice5winner1_best_cost_0_1 when slice5winner2_best_cost_0_0_is_less else
-        slice5winner1_best_cost_0_0;
-      slice5winner2_best_index_0_0 <= slice5winner1_best_index_0_1 when slice5winner2_best_cost_0_0_is_less else
-        as_number(slice5winner1_best_index_0_0);
+      if slice5winner2_best_cost_0_0_is_less then
+        slice5winner2_best_cost_0_0 <= slice5winner1_best_cost_0_1;
+        slice5winner2_best_index_0_0 <= slice5winner1_best_index_0_1;
+      else
+        slice5winner2_best_cost_0_0 <= slice5winner1_best_cost_0_0;
+        slice5winner2_best_index_0_0 <= as_number(slice5winner1_best_index_0_0);
+      end if;
       -- slice5winner3
       slice5winner3_best_cost_0_0 <= slice5winner2_best_cost_0_0;
       slice5winner3_best_index_0_0 <= slice5winner2_best_index_0_0;
@@ -6709,12 +9428,15 @@ begin
       slice5winner5_best_cost_0_0 <= slice5winner4_best_cost_0_0;
       slice5winner5_best_index_0_0 <= slice5winner4_best_index_0_0;
       -- slice5
-      slice5_best_index_0_0 <= slice4_best_index_0_0 when (slice4_best_cost_0_0 - slice5winner5_best_cost_0_0) < 0 else
-        slice5winner5_best_index_0_0;
       slice5_best_tag_valid <= slice4_best_tag_valid;
       slice5_best_tag_output_column <= slice4_best_tag_output_column;
       slice5_best_tag_start_of_frame <= slice4_best_tag_start_of_frame;
       slice5_best_tag_end_of_line <= slice4_best_tag_end_of_line;
+      if (slice4_best_cost_0_0 - slice5winner5_best_cost_0_0) < 0 then
+        slice5_best_index_0_0 <= slice4_best_index_0_0;
+      else
+        slice5_best_index_0_0 <= slice5winner5_best_index_0_0;
+      end if;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;

@@ -647,674 +647,1112 @@ architecture rtl of stereo_core_lee_320 is
   signal slice3_best_index_0_0 : natural range 0 to 63;
   signal slice3_best_tag_valid, slice3_best_tag_output_column, slice3_best_tag_start_of_frame : boolean;
   signal slice3_best_tag_end_of_line : boolean;
+  signal slice3window_leaving_7_memory_read_enable : boolean;
+  signal slice3window_leaving_7_memory_read_address : unsigned(4 downto 0);
+  signal slice3window_leaving_7_memory_write_address : unsigned(4 downto 0);
   signal slice3window_leaving_7_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_6_memory_read_enable : boolean;
+  signal slice3window_leaving_6_memory_read_address : unsigned(4 downto 0);
+  signal slice3window_leaving_6_memory_write_address : unsigned(4 downto 0);
   signal slice3window_leaving_6_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_5_memory_read_enable : boolean;
+  signal slice3window_leaving_5_memory_read_address : unsigned(4 downto 0);
+  signal slice3window_leaving_5_memory_write_address : unsigned(4 downto 0);
   signal slice3window_leaving_5_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_4_memory_read_enable : boolean;
+  signal slice3window_leaving_4_memory_read_address : unsigned(4 downto 0);
+  signal slice3window_leaving_4_memory_write_address : unsigned(4 downto 0);
   signal slice3window_leaving_4_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_3_memory_read_enable : boolean;
+  signal slice3window_leaving_3_memory_read_address : unsigned(4 downto 0);
+  signal slice3window_leaving_3_memory_write_address : unsigned(4 downto 0);
   signal slice3window_leaving_3_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_2_memory_read_enable : boolean;
+  signal slice3window_leaving_2_memory_read_address : unsigned(4 downto 0);
+  signal slice3window_leaving_2_memory_write_address : unsigned(4 downto 0);
   signal slice3window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_1_memory_read_enable : boolean;
+  signal slice3window_leaving_1_memory_read_address : unsigned(4 downto 0);
+  signal slice3window_leaving_1_memory_write_address : unsigned(4 downto 0);
   signal slice3window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice3window_leaving_0_memory_read_enable : boolean;
+  signal slice3window_leaving_0_memory_read_address : unsigned(4 downto 0);
+  signal slice3window_leaving_0_memory_write_address : unsigned(4 downto 0);
   signal slice3window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_7_memory_read_enable : boolean;
+  signal slice3cost_read_words_7_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_read_words_7_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_7_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_6_memory_read_enable : boolean;
+  signal slice3cost_read_words_6_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_read_words_6_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_6_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_5_memory_read_enable : boolean;
+  signal slice3cost_read_words_5_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_read_words_5_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_5_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_4_memory_read_enable : boolean;
+  signal slice3cost_read_words_4_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_read_words_4_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_4_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_3_memory_read_enable : boolean;
+  signal slice3cost_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_2_memory_read_enable : boolean;
+  signal slice3cost_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_1_memory_read_enable : boolean;
+  signal slice3cost_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal slice3cost_read_words_0_memory_read_enable : boolean;
+  signal slice3cost_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_7_memory_read_enable : boolean;
+  signal slice2window_leaving_7_memory_read_address : unsigned(4 downto 0);
+  signal slice2window_leaving_7_memory_write_address : unsigned(4 downto 0);
   signal slice2window_leaving_7_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_6_memory_read_enable : boolean;
+  signal slice2window_leaving_6_memory_read_address : unsigned(4 downto 0);
+  signal slice2window_leaving_6_memory_write_address : unsigned(4 downto 0);
   signal slice2window_leaving_6_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_5_memory_read_enable : boolean;
+  signal slice2window_leaving_5_memory_read_address : unsigned(4 downto 0);
+  signal slice2window_leaving_5_memory_write_address : unsigned(4 downto 0);
   signal slice2window_leaving_5_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_4_memory_read_enable : boolean;
+  signal slice2window_leaving_4_memory_read_address : unsigned(4 downto 0);
+  signal slice2window_leaving_4_memory_write_address : unsigned(4 downto 0);
   signal slice2window_leaving_4_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_3_memory_read_enable : boolean;
+  signal slice2window_leaving_3_memory_read_address : unsigned(4 downto 0);
+  signal slice2window_leaving_3_memory_write_address : unsigned(4 downto 0);
   signal slice2window_leaving_3_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_2_memory_read_enable : boolean;
+  signal slice2window_leaving_2_memory_read_address : unsigned(4 downto 0);
+  signal slice2window_leaving_2_memory_write_address : unsigned(4 downto 0);
   signal slice2window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_1_memory_read_enable : boolean;
+  signal slice2window_leaving_1_memory_read_address : unsigned(4 downto 0);
+  signal slice2window_leaving_1_memory_write_address : unsigned(4 downto 0);
   signal slice2window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_0_memory_read_enable : boolean;
+  signal slice2window_leaving_0_memory_read_address : unsigned(4 downto 0);
+  signal slice2window_leaving_0_memory_write_address : unsigned(4 downto 0);
   signal slice2window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_7_memory_read_enable : boolean;
+  signal slice2cost_read_words_7_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_7_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_7_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_6_memory_read_enable : boolean;
+  signal slice2cost_read_words_6_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_6_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_6_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_5_memory_read_enable : boolean;
+  signal slice2cost_read_words_5_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_5_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_5_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_4_memory_read_enable : boolean;
+  signal slice2cost_read_words_4_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_4_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_4_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_3_memory_read_enable : boolean;
+  signal slice2cost_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_2_memory_read_enable : boolean;
+  signal slice2cost_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_1_memory_read_enable : boolean;
+  signal slice2cost_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_0_memory_read_enable : boolean;
+  signal slice2cost_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_7_memory_read_enable : boolean;
+  signal slice1window_leaving_7_memory_read_address : unsigned(4 downto 0);
+  signal slice1window_leaving_7_memory_write_address : unsigned(4 downto 0);
   signal slice1window_leaving_7_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_6_memory_read_enable : boolean;
+  signal slice1window_leaving_6_memory_read_address : unsigned(4 downto 0);
+  signal slice1window_leaving_6_memory_write_address : unsigned(4 downto 0);
   signal slice1window_leaving_6_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_5_memory_read_enable : boolean;
+  signal slice1window_leaving_5_memory_read_address : unsigned(4 downto 0);
+  signal slice1window_leaving_5_memory_write_address : unsigned(4 downto 0);
   signal slice1window_leaving_5_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_4_memory_read_enable : boolean;
+  signal slice1window_leaving_4_memory_read_address : unsigned(4 downto 0);
+  signal slice1window_leaving_4_memory_write_address : unsigned(4 downto 0);
   signal slice1window_leaving_4_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_3_memory_read_enable : boolean;
+  signal slice1window_leaving_3_memory_read_address : unsigned(4 downto 0);
+  signal slice1window_leaving_3_memory_write_address : unsigned(4 downto 0);
   signal slice1window_leaving_3_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_2_memory_read_enable : boolean;
+  signal slice1window_leaving_2_memory_read_address : unsigned(4 downto 0);
+  signal slice1window_leaving_2_memory_write_address : unsigned(4 downto 0);
   signal slice1window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_1_memory_read_enable : boolean;
+  signal slice1window_leaving_1_memory_read_address : unsigned(4 downto 0);
+  signal slice1window_leaving_1_memory_write_address : unsigned(4 downto 0);
   signal slice1window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_0_memory_read_enable : boolean;
+  signal slice1window_leaving_0_memory_read_address : unsigned(4 downto 0);
+  signal slice1window_leaving_0_memory_write_address : unsigned(4 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_7_memory_read_enable : boolean;
+  signal slice1cost_read_words_7_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_7_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_7_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_6_memory_read_enable : boolean;
+  signal slice1cost_read_words_6_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_6_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_6_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_5_memory_read_enable : boolean;
+  signal slice1cost_read_words_5_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_5_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_5_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_4_memory_read_enable : boolean;
+  signal slice1cost_read_words_4_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_4_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_4_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_3_memory_read_enable : boolean;
+  signal slice1cost_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_2_memory_read_enable : boolean;
+  signal slice1cost_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_1_memory_read_enable : boolean;
+  signal slice1cost_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_0_memory_read_enable : boolean;
+  signal slice1cost_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_7_memory_read_enable : boolean;
+  signal slice0window_leaving_7_memory_read_address : unsigned(4 downto 0);
+  signal slice0window_leaving_7_memory_write_address : unsigned(4 downto 0);
   signal slice0window_leaving_7_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_6_memory_read_enable : boolean;
+  signal slice0window_leaving_6_memory_read_address : unsigned(4 downto 0);
+  signal slice0window_leaving_6_memory_write_address : unsigned(4 downto 0);
   signal slice0window_leaving_6_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_5_memory_read_enable : boolean;
+  signal slice0window_leaving_5_memory_read_address : unsigned(4 downto 0);
+  signal slice0window_leaving_5_memory_write_address : unsigned(4 downto 0);
   signal slice0window_leaving_5_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_4_memory_read_enable : boolean;
+  signal slice0window_leaving_4_memory_read_address : unsigned(4 downto 0);
+  signal slice0window_leaving_4_memory_write_address : unsigned(4 downto 0);
   signal slice0window_leaving_4_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_3_memory_read_enable : boolean;
+  signal slice0window_leaving_3_memory_read_address : unsigned(4 downto 0);
+  signal slice0window_leaving_3_memory_write_address : unsigned(4 downto 0);
   signal slice0window_leaving_3_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_2_memory_read_enable : boolean;
+  signal slice0window_leaving_2_memory_read_address : unsigned(4 downto 0);
+  signal slice0window_leaving_2_memory_write_address : unsigned(4 downto 0);
   signal slice0window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_1_memory_read_enable : boolean;
+  signal slice0window_leaving_1_memory_read_address : unsigned(4 downto 0);
+  signal slice0window_leaving_1_memory_write_address : unsigned(4 downto 0);
   signal slice0window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_0_memory_read_enable : boolean;
+  signal slice0window_leaving_0_memory_read_address : unsigned(4 downto 0);
+  signal slice0window_leaving_0_memory_write_address : unsigned(4 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_7_memory_read_enable : boolean;
+  signal slice0cost_read_words_7_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_7_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_7_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_6_memory_read_enable : boolean;
+  signal slice0cost_read_words_6_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_6_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_6_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_5_memory_read_enable : boolean;
+  signal slice0cost_read_words_5_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_5_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_5_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_4_memory_read_enable : boolean;
+  signal slice0cost_read_words_4_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_4_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_4_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_3_memory_read_enable : boolean;
+  signal slice0cost_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_2_memory_read_enable : boolean;
+  signal slice0cost_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_1_memory_read_enable : boolean;
+  signal slice0cost_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_0_memory_read_enable : boolean;
+  signal slice0cost_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_3_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_3_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_2_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_3_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_3_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_2_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(5 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(5 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(slice3_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(1, 1));
   disparity_valid <= as_bit(slice3_best_tag_valid and slice3_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice3_best_tag_start_of_frame and slice3_best_tag_valid and slice3_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice3_best_tag_end_of_line and slice3_best_tag_valid and slice3_best_tag_output_column);
 
+  slice3window_leaving_7_memory_read_enable <= true;
+  slice3window_leaving_7_memory_read_address <= to_unsigned(slice3window_ring_read_address, 5);
+  slice3window_leaving_7_memory_write_address <= to_unsigned(slice3window_ring_write_address, 5);
   slice3window_leaving_7_memory_write_data <= to_unsigned(slice3cost_column_0_15, 12) & to_unsigned(slice3cost_column_0_14, 12);
   slice3window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_7,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_7_memory_read_enable,
+      read_address => slice3window_leaving_7_memory_read_address, read_data => slice3window_leaving_7,
+      write_address => slice3window_leaving_7_memory_write_address, write_data => slice3window_leaving_7_memory_write_data);
 
+  slice3window_leaving_6_memory_read_enable <= true;
+  slice3window_leaving_6_memory_read_address <= to_unsigned(slice3window_ring_read_address, 5);
+  slice3window_leaving_6_memory_write_address <= to_unsigned(slice3window_ring_write_address, 5);
   slice3window_leaving_6_memory_write_data <= to_unsigned(slice3cost_column_0_13, 12) & to_unsigned(slice3cost_column_0_12, 12);
   slice3window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_6,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_6_memory_read_enable,
+      read_address => slice3window_leaving_6_memory_read_address, read_data => slice3window_leaving_6,
+      write_address => slice3window_leaving_6_memory_write_address, write_data => slice3window_leaving_6_memory_write_data);
 
+  slice3window_leaving_5_memory_read_enable <= true;
+  slice3window_leaving_5_memory_read_address <= to_unsigned(slice3window_ring_read_address, 5);
+  slice3window_leaving_5_memory_write_address <= to_unsigned(slice3window_ring_write_address, 5);
   slice3window_leaving_5_memory_write_data <= to_unsigned(slice3cost_column_0_11, 12) & to_unsigned(slice3cost_column_0_10, 12);
   slice3window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_5,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_5_memory_read_enable,
+      read_address => slice3window_leaving_5_memory_read_address, read_data => slice3window_leaving_5,
+      write_address => slice3window_leaving_5_memory_write_address, write_data => slice3window_leaving_5_memory_write_data);
 
+  slice3window_leaving_4_memory_read_enable <= true;
+  slice3window_leaving_4_memory_read_address <= to_unsigned(slice3window_ring_read_address, 5);
+  slice3window_leaving_4_memory_write_address <= to_unsigned(slice3window_ring_write_address, 5);
   slice3window_leaving_4_memory_write_data <= to_unsigned(slice3cost_column_0_9, 12) & to_unsigned(slice3cost_column_0_8, 12);
   slice3window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_4,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_4_memory_read_enable,
+      read_address => slice3window_leaving_4_memory_read_address, read_data => slice3window_leaving_4,
+      write_address => slice3window_leaving_4_memory_write_address, write_data => slice3window_leaving_4_memory_write_data);
 
+  slice3window_leaving_3_memory_read_enable <= true;
+  slice3window_leaving_3_memory_read_address <= to_unsigned(slice3window_ring_read_address, 5);
+  slice3window_leaving_3_memory_write_address <= to_unsigned(slice3window_ring_write_address, 5);
   slice3window_leaving_3_memory_write_data <= to_unsigned(slice3cost_column_0_7, 12) & to_unsigned(slice3cost_column_0_6, 12);
   slice3window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_3,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_3_memory_read_enable,
+      read_address => slice3window_leaving_3_memory_read_address, read_data => slice3window_leaving_3,
+      write_address => slice3window_leaving_3_memory_write_address, write_data => slice3window_leaving_3_memory_write_data);
 
+  slice3window_leaving_2_memory_read_enable <= true;
+  slice3window_leaving_2_memory_read_address <= to_unsigned(slice3window_ring_read_address, 5);
+  slice3window_leaving_2_memory_write_address <= to_unsigned(slice3window_ring_write_address, 5);
   slice3window_leaving_2_memory_write_data <= to_unsigned(slice3cost_column_0_5, 12) & to_unsigned(slice3cost_column_0_4, 12);
   slice3window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_2,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_2_memory_read_enable,
+      read_address => slice3window_leaving_2_memory_read_address, read_data => slice3window_leaving_2,
+      write_address => slice3window_leaving_2_memory_write_address, write_data => slice3window_leaving_2_memory_write_data);
 
+  slice3window_leaving_1_memory_read_enable <= true;
+  slice3window_leaving_1_memory_read_address <= to_unsigned(slice3window_ring_read_address, 5);
+  slice3window_leaving_1_memory_write_address <= to_unsigned(slice3window_ring_write_address, 5);
   slice3window_leaving_1_memory_write_data <= to_unsigned(slice3cost_column_0_3, 12) & to_unsigned(slice3cost_column_0_2, 12);
   slice3window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_1,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_1_memory_read_enable,
+      read_address => slice3window_leaving_1_memory_read_address, read_data => slice3window_leaving_1,
+      write_address => slice3window_leaving_1_memory_write_address, write_data => slice3window_leaving_1_memory_write_data);
 
+  slice3window_leaving_0_memory_read_enable <= true;
+  slice3window_leaving_0_memory_read_address <= to_unsigned(slice3window_ring_read_address, 5);
+  slice3window_leaving_0_memory_write_address <= to_unsigned(slice3window_ring_write_address, 5);
   slice3window_leaving_0_memory_write_data <= to_unsigned(slice3cost_column_0_1, 12) & to_unsigned(slice3cost_column_0_0, 12);
   slice3window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_0,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_0_memory_read_enable,
+      read_address => slice3window_leaving_0_memory_read_address, read_data => slice3window_leaving_0,
+      write_address => slice3window_leaving_0_memory_write_address, write_data => slice3window_leaving_0_memory_write_data);
 
+  slice3cost_read_words_7_memory_read_enable <= true;
+  slice3cost_read_words_7_memory_read_address <= to_unsigned(slice1cost_ready_column, 9);
+  slice3cost_read_words_7_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
   slice3cost_read_words_7_memory_write_data <= to_unsigned(slice3cost_write_words_7, 24);
   slice3cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_7,
-      write_address => slice3cost_write_column, write_data => slice3cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_7_memory_read_enable,
+      read_address => slice3cost_read_words_7_memory_read_address, read_data => slice3cost_read_words_7,
+      write_address => slice3cost_read_words_7_memory_write_address, write_data => slice3cost_read_words_7_memory_write_data);
 
+  slice3cost_read_words_6_memory_read_enable <= true;
+  slice3cost_read_words_6_memory_read_address <= to_unsigned(slice1cost_ready_column, 9);
+  slice3cost_read_words_6_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
   slice3cost_read_words_6_memory_write_data <= to_unsigned(slice3cost_write_words_6, 24);
   slice3cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_6,
-      write_address => slice3cost_write_column, write_data => slice3cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_6_memory_read_enable,
+      read_address => slice3cost_read_words_6_memory_read_address, read_data => slice3cost_read_words_6,
+      write_address => slice3cost_read_words_6_memory_write_address, write_data => slice3cost_read_words_6_memory_write_data);
 
+  slice3cost_read_words_5_memory_read_enable <= true;
+  slice3cost_read_words_5_memory_read_address <= to_unsigned(slice1cost_ready_column, 9);
+  slice3cost_read_words_5_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
   slice3cost_read_words_5_memory_write_data <= to_unsigned(slice3cost_write_words_5, 24);
   slice3cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_5,
-      write_address => slice3cost_write_column, write_data => slice3cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_5_memory_read_enable,
+      read_address => slice3cost_read_words_5_memory_read_address, read_data => slice3cost_read_words_5,
+      write_address => slice3cost_read_words_5_memory_write_address, write_data => slice3cost_read_words_5_memory_write_data);
 
+  slice3cost_read_words_4_memory_read_enable <= true;
+  slice3cost_read_words_4_memory_read_address <= to_unsigned(slice1cost_ready_column, 9);
+  slice3cost_read_words_4_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
   slice3cost_read_words_4_memory_write_data <= to_unsigned(slice3cost_write_words_4, 24);
   slice3cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_4,
-      write_address => slice3cost_write_column, write_data => slice3cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_4_memory_read_enable,
+      read_address => slice3cost_read_words_4_memory_read_address, read_data => slice3cost_read_words_4,
+      write_address => slice3cost_read_words_4_memory_write_address, write_data => slice3cost_read_words_4_memory_write_data);
 
+  slice3cost_read_words_3_memory_read_enable <= true;
+  slice3cost_read_words_3_memory_read_address <= to_unsigned(slice1cost_ready_column, 9);
+  slice3cost_read_words_3_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
   slice3cost_read_words_3_memory_write_data <= to_unsigned(slice3cost_write_words_3, 24);
   slice3cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_3,
-      write_address => slice3cost_write_column, write_data => slice3cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_3_memory_read_enable,
+      read_address => slice3cost_read_words_3_memory_read_address, read_data => slice3cost_read_words_3,
+      write_address => slice3cost_read_words_3_memory_write_address, write_data => slice3cost_read_words_3_memory_write_data);
 
+  slice3cost_read_words_2_memory_read_enable <= true;
+  slice3cost_read_words_2_memory_read_address <= to_unsigned(slice1cost_ready_column, 9);
+  slice3cost_read_words_2_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
   slice3cost_read_words_2_memory_write_data <= to_unsigned(slice3cost_write_words_2, 24);
   slice3cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_2,
-      write_address => slice3cost_write_column, write_data => slice3cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_2_memory_read_enable,
+      read_address => slice3cost_read_words_2_memory_read_address, read_data => slice3cost_read_words_2,
+      write_address => slice3cost_read_words_2_memory_write_address, write_data => slice3cost_read_words_2_memory_write_data);
 
+  slice3cost_read_words_1_memory_read_enable <= true;
+  slice3cost_read_words_1_memory_read_address <= to_unsigned(slice1cost_ready_column, 9);
+  slice3cost_read_words_1_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
   slice3cost_read_words_1_memory_write_data <= to_unsigned(slice3cost_write_words_1, 24);
   slice3cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_1,
-      write_address => slice3cost_write_column, write_data => slice3cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_1_memory_read_enable,
+      read_address => slice3cost_read_words_1_memory_read_address, read_data => slice3cost_read_words_1,
+      write_address => slice3cost_read_words_1_memory_write_address, write_data => slice3cost_read_words_1_memory_write_data);
 
+  slice3cost_read_words_0_memory_read_enable <= true;
+  slice3cost_read_words_0_memory_read_address <= to_unsigned(slice1cost_ready_column, 9);
+  slice3cost_read_words_0_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
   slice3cost_read_words_0_memory_write_data <= to_unsigned(slice3cost_write_words_0, 24);
   slice3cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_ready_column, read_data => slice3cost_read_words_0,
-      write_address => slice3cost_write_column, write_data => slice3cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_0_memory_read_enable,
+      read_address => slice3cost_read_words_0_memory_read_address, read_data => slice3cost_read_words_0,
+      write_address => slice3cost_read_words_0_memory_write_address, write_data => slice3cost_read_words_0_memory_write_data);
 
+  slice2window_leaving_7_memory_read_enable <= true;
+  slice2window_leaving_7_memory_read_address <= to_unsigned(slice2window_ring_read_address, 5);
+  slice2window_leaving_7_memory_write_address <= to_unsigned(slice2window_ring_write_address, 5);
   slice2window_leaving_7_memory_write_data <= to_unsigned(slice2cost_column_0_15, 12) & to_unsigned(slice2cost_column_0_14, 12);
   slice2window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_7,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_7_memory_read_enable,
+      read_address => slice2window_leaving_7_memory_read_address, read_data => slice2window_leaving_7,
+      write_address => slice2window_leaving_7_memory_write_address, write_data => slice2window_leaving_7_memory_write_data);
 
+  slice2window_leaving_6_memory_read_enable <= true;
+  slice2window_leaving_6_memory_read_address <= to_unsigned(slice2window_ring_read_address, 5);
+  slice2window_leaving_6_memory_write_address <= to_unsigned(slice2window_ring_write_address, 5);
   slice2window_leaving_6_memory_write_data <= to_unsigned(slice2cost_column_0_13, 12) & to_unsigned(slice2cost_column_0_12, 12);
   slice2window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_6,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_6_memory_read_enable,
+      read_address => slice2window_leaving_6_memory_read_address, read_data => slice2window_leaving_6,
+      write_address => slice2window_leaving_6_memory_write_address, write_data => slice2window_leaving_6_memory_write_data);
 
+  slice2window_leaving_5_memory_read_enable <= true;
+  slice2window_leaving_5_memory_read_address <= to_unsigned(slice2window_ring_read_address, 5);
+  slice2window_leaving_5_memory_write_address <= to_unsigned(slice2window_ring_write_address, 5);
   slice2window_leaving_5_memory_write_data <= to_unsigned(slice2cost_column_0_11, 12) & to_unsigned(slice2cost_column_0_10, 12);
   slice2window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_5,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_5_memory_read_enable,
+      read_address => slice2window_leaving_5_memory_read_address, read_data => slice2window_leaving_5,
+      write_address => slice2window_leaving_5_memory_write_address, write_data => slice2window_leaving_5_memory_write_data);
 
+  slice2window_leaving_4_memory_read_enable <= true;
+  slice2window_leaving_4_memory_read_address <= to_unsigned(slice2window_ring_read_address, 5);
+  slice2window_leaving_4_memory_write_address <= to_unsigned(slice2window_ring_write_address, 5);
   slice2window_leaving_4_memory_write_data <= to_unsigned(slice2cost_column_0_9, 12) & to_unsigned(slice2cost_column_0_8, 12);
   slice2window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_4,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_4_memory_read_enable,
+      read_address => slice2window_leaving_4_memory_read_address, read_data => slice2window_leaving_4,
+      write_address => slice2window_leaving_4_memory_write_address, write_data => slice2window_leaving_4_memory_write_data);
 
+  slice2window_leaving_3_memory_read_enable <= true;
+  slice2window_leaving_3_memory_read_address <= to_unsigned(slice2window_ring_read_address, 5);
+  slice2window_leaving_3_memory_write_address <= to_unsigned(slice2window_ring_write_address, 5);
   slice2window_leaving_3_memory_write_data <= to_unsigned(slice2cost_column_0_7, 12) & to_unsigned(slice2cost_column_0_6, 12);
   slice2window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_3,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_3_memory_read_enable,
+      read_address => slice2window_leaving_3_memory_read_address, read_data => slice2window_leaving_3,
+      write_address => slice2window_leaving_3_memory_write_address, write_data => slice2window_leaving_3_memory_write_data);
 
+  slice2window_leaving_2_memory_read_enable <= true;
+  slice2window_leaving_2_memory_read_address <= to_unsigned(slice2window_ring_read_address, 5);
+  slice2window_leaving_2_memory_write_address <= to_unsigned(slice2window_ring_write_address, 5);
   slice2window_leaving_2_memory_write_data <= to_unsigned(slice2cost_column_0_5, 12) & to_unsigned(slice2cost_column_0_4, 12);
   slice2window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_2,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_2_memory_read_enable,
+      read_address => slice2window_leaving_2_memory_read_address, read_data => slice2window_leaving_2,
+      write_address => slice2window_leaving_2_memory_write_address, write_data => slice2window_leaving_2_memory_write_data);
 
+  slice2window_leaving_1_memory_read_enable <= true;
+  slice2window_leaving_1_memory_read_address <= to_unsigned(slice2window_ring_read_address, 5);
+  slice2window_leaving_1_memory_write_address <= to_unsigned(slice2window_ring_write_address, 5);
   slice2window_leaving_1_memory_write_data <= to_unsigned(slice2cost_column_0_3, 12) & to_unsigned(slice2cost_column_0_2, 12);
   slice2window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_1,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_1_memory_read_enable,
+      read_address => slice2window_leaving_1_memory_read_address, read_data => slice2window_leaving_1,
+      write_address => slice2window_leaving_1_memory_write_address, write_data => slice2window_leaving_1_memory_write_data);
 
+  slice2window_leaving_0_memory_read_enable <= true;
+  slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 5);
+  slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 5);
   slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0_1, 12) & to_unsigned(slice2cost_column_0_0, 12);
   slice2window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_0,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
+      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving_0,
+      write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
 
+  slice2cost_read_words_7_memory_read_enable <= true;
+  slice2cost_read_words_7_memory_read_address <= to_unsigned(slice1cost_change_column, 9);
+  slice2cost_read_words_7_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
   slice2cost_read_words_7_memory_write_data <= to_unsigned(slice2cost_write_words_7, 24);
   slice2cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_change_column, read_data => slice2cost_read_words_7,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_7_memory_read_enable,
+      read_address => slice2cost_read_words_7_memory_read_address, read_data => slice2cost_read_words_7,
+      write_address => slice2cost_read_words_7_memory_write_address, write_data => slice2cost_read_words_7_memory_write_data);
 
+  slice2cost_read_words_6_memory_read_enable <= true;
+  slice2cost_read_words_6_memory_read_address <= to_unsigned(slice1cost_change_column, 9);
+  slice2cost_read_words_6_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
   slice2cost_read_words_6_memory_write_data <= to_unsigned(slice2cost_write_words_6, 24);
   slice2cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_change_column, read_data => slice2cost_read_words_6,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_6_memory_read_enable,
+      read_address => slice2cost_read_words_6_memory_read_address, read_data => slice2cost_read_words_6,
+      write_address => slice2cost_read_words_6_memory_write_address, write_data => slice2cost_read_words_6_memory_write_data);
 
+  slice2cost_read_words_5_memory_read_enable <= true;
+  slice2cost_read_words_5_memory_read_address <= to_unsigned(slice1cost_change_column, 9);
+  slice2cost_read_words_5_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
   slice2cost_read_words_5_memory_write_data <= to_unsigned(slice2cost_write_words_5, 24);
   slice2cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_change_column, read_data => slice2cost_read_words_5,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_5_memory_read_enable,
+      read_address => slice2cost_read_words_5_memory_read_address, read_data => slice2cost_read_words_5,
+      write_address => slice2cost_read_words_5_memory_write_address, write_data => slice2cost_read_words_5_memory_write_data);
 
+  slice2cost_read_words_4_memory_read_enable <= true;
+  slice2cost_read_words_4_memory_read_address <= to_unsigned(slice1cost_change_column, 9);
+  slice2cost_read_words_4_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
   slice2cost_read_words_4_memory_write_data <= to_unsigned(slice2cost_write_words_4, 24);
   slice2cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_change_column, read_data => slice2cost_read_words_4,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_4_memory_read_enable,
+      read_address => slice2cost_read_words_4_memory_read_address, read_data => slice2cost_read_words_4,
+      write_address => slice2cost_read_words_4_memory_write_address, write_data => slice2cost_read_words_4_memory_write_data);
 
+  slice2cost_read_words_3_memory_read_enable <= true;
+  slice2cost_read_words_3_memory_read_address <= to_unsigned(slice1cost_change_column, 9);
+  slice2cost_read_words_3_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
   slice2cost_read_words_3_memory_write_data <= to_unsigned(slice2cost_write_words_3, 24);
   slice2cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_change_column, read_data => slice2cost_read_words_3,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_3_memory_read_enable,
+      read_address => slice2cost_read_words_3_memory_read_address, read_data => slice2cost_read_words_3,
+      write_address => slice2cost_read_words_3_memory_write_address, write_data => slice2cost_read_words_3_memory_write_data);
 
+  slice2cost_read_words_2_memory_read_enable <= true;
+  slice2cost_read_words_2_memory_read_address <= to_unsigned(slice1cost_change_column, 9);
+  slice2cost_read_words_2_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
   slice2cost_read_words_2_memory_write_data <= to_unsigned(slice2cost_write_words_2, 24);
   slice2cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_change_column, read_data => slice2cost_read_words_2,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_2_memory_read_enable,
+      read_address => slice2cost_read_words_2_memory_read_address, read_data => slice2cost_read_words_2,
+      write_address => slice2cost_read_words_2_memory_write_address, write_data => slice2cost_read_words_2_memory_write_data);
 
+  slice2cost_read_words_1_memory_read_enable <= true;
+  slice2cost_read_words_1_memory_read_address <= to_unsigned(slice1cost_change_column, 9);
+  slice2cost_read_words_1_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
   slice2cost_read_words_1_memory_write_data <= to_unsigned(slice2cost_write_words_1, 24);
   slice2cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_change_column, read_data => slice2cost_read_words_1,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_1_memory_read_enable,
+      read_address => slice2cost_read_words_1_memory_read_address, read_data => slice2cost_read_words_1,
+      write_address => slice2cost_read_words_1_memory_write_address, write_data => slice2cost_read_words_1_memory_write_data);
 
+  slice2cost_read_words_0_memory_read_enable <= true;
+  slice2cost_read_words_0_memory_read_address <= to_unsigned(slice1cost_change_column, 9);
+  slice2cost_read_words_0_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
   slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words_0, 24);
   slice2cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_change_column, read_data => slice2cost_read_words_0,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
+      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words_0,
+      write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
 
+  slice1window_leaving_7_memory_read_enable <= true;
+  slice1window_leaving_7_memory_read_address <= to_unsigned(slice1window_ring_read_address, 5);
+  slice1window_leaving_7_memory_write_address <= to_unsigned(slice1window_ring_write_address, 5);
   slice1window_leaving_7_memory_write_data <= to_unsigned(slice1cost_column_0_15, 12) & to_unsigned(slice1cost_column_0_14, 12);
   slice1window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_7,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_7_memory_read_enable,
+      read_address => slice1window_leaving_7_memory_read_address, read_data => slice1window_leaving_7,
+      write_address => slice1window_leaving_7_memory_write_address, write_data => slice1window_leaving_7_memory_write_data);
 
+  slice1window_leaving_6_memory_read_enable <= true;
+  slice1window_leaving_6_memory_read_address <= to_unsigned(slice1window_ring_read_address, 5);
+  slice1window_leaving_6_memory_write_address <= to_unsigned(slice1window_ring_write_address, 5);
   slice1window_leaving_6_memory_write_data <= to_unsigned(slice1cost_column_0_13, 12) & to_unsigned(slice1cost_column_0_12, 12);
   slice1window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_6,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_6_memory_read_enable,
+      read_address => slice1window_leaving_6_memory_read_address, read_data => slice1window_leaving_6,
+      write_address => slice1window_leaving_6_memory_write_address, write_data => slice1window_leaving_6_memory_write_data);
 
+  slice1window_leaving_5_memory_read_enable <= true;
+  slice1window_leaving_5_memory_read_address <= to_unsigned(slice1window_ring_read_address, 5);
+  slice1window_leaving_5_memory_write_address <= to_unsigned(slice1window_ring_write_address, 5);
   slice1window_leaving_5_memory_write_data <= to_unsigned(slice1cost_column_0_11, 12) & to_unsigned(slice1cost_column_0_10, 12);
   slice1window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_5,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_5_memory_read_enable,
+      read_address => slice1window_leaving_5_memory_read_address, read_data => slice1window_leaving_5,
+      write_address => slice1window_leaving_5_memory_write_address, write_data => slice1window_leaving_5_memory_write_data);
 
+  slice1window_leaving_4_memory_read_enable <= true;
+  slice1window_leaving_4_memory_read_address <= to_unsigned(slice1window_ring_read_address, 5);
+  slice1window_leaving_4_memory_write_address <= to_unsigned(slice1window_ring_write_address, 5);
   slice1window_leaving_4_memory_write_data <= to_unsigned(slice1cost_column_0_9, 12) & to_unsigned(slice1cost_column_0_8, 12);
   slice1window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_4,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_4_memory_read_enable,
+      read_address => slice1window_leaving_4_memory_read_address, read_data => slice1window_leaving_4,
+      write_address => slice1window_leaving_4_memory_write_address, write_data => slice1window_leaving_4_memory_write_data);
 
+  slice1window_leaving_3_memory_read_enable <= true;
+  slice1window_leaving_3_memory_read_address <= to_unsigned(slice1window_ring_read_address, 5);
+  slice1window_leaving_3_memory_write_address <= to_unsigned(slice1window_ring_write_address, 5);
   slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0_7, 12) & to_unsigned(slice1cost_column_0_6, 12);
   slice1window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_3,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_3_memory_read_enable,
+      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving_3,
+      write_address => slice1window_leaving_3_memory_write_address, write_data => slice1window_leaving_3_memory_write_data);
 
+  slice1window_leaving_2_memory_read_enable <= true;
+  slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 5);
+  slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 5);
   slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0_5, 12) & to_unsigned(slice1cost_column_0_4, 12);
   slice1window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_2,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
+      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving_2,
+      write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
 
+  slice1window_leaving_1_memory_read_enable <= true;
+  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 5);
+  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 5);
   slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0_3, 12) & to_unsigned(slice1cost_column_0_2, 12);
   slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_1,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
+      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving_1,
+      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
 
+  slice1window_leaving_0_memory_read_enable <= true;
+  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 5);
+  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 5);
   slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_1, 12) & to_unsigned(slice1cost_column_0_0, 12);
   slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_0,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
+      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving_0,
+      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
 
+  slice1cost_read_words_7_memory_read_enable <= true;
+  slice1cost_read_words_7_memory_read_address <= to_unsigned(slice1cost_read_column, 9);
+  slice1cost_read_words_7_memory_write_address <= to_unsigned(slice3cost_change_column, 9);
   slice1cost_read_words_7_memory_write_data <= to_unsigned(slice1cost_write_words_7, 24);
   slice1cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_read_column, read_data => slice1cost_read_words_7,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_7_memory_read_enable,
+      read_address => slice1cost_read_words_7_memory_read_address, read_data => slice1cost_read_words_7,
+      write_address => slice1cost_read_words_7_memory_write_address, write_data => slice1cost_read_words_7_memory_write_data);
 
+  slice1cost_read_words_6_memory_read_enable <= true;
+  slice1cost_read_words_6_memory_read_address <= to_unsigned(slice1cost_read_column, 9);
+  slice1cost_read_words_6_memory_write_address <= to_unsigned(slice3cost_change_column, 9);
   slice1cost_read_words_6_memory_write_data <= to_unsigned(slice1cost_write_words_6, 24);
   slice1cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_read_column, read_data => slice1cost_read_words_6,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_6_memory_read_enable,
+      read_address => slice1cost_read_words_6_memory_read_address, read_data => slice1cost_read_words_6,
+      write_address => slice1cost_read_words_6_memory_write_address, write_data => slice1cost_read_words_6_memory_write_data);
 
+  slice1cost_read_words_5_memory_read_enable <= true;
+  slice1cost_read_words_5_memory_read_address <= to_unsigned(slice1cost_read_column, 9);
+  slice1cost_read_words_5_memory_write_address <= to_unsigned(slice3cost_change_column, 9);
   slice1cost_read_words_5_memory_write_data <= to_unsigned(slice1cost_write_words_5, 24);
   slice1cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_read_column, read_data => slice1cost_read_words_5,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_5_memory_read_enable,
+      read_address => slice1cost_read_words_5_memory_read_address, read_data => slice1cost_read_words_5,
+      write_address => slice1cost_read_words_5_memory_write_address, write_data => slice1cost_read_words_5_memory_write_data);
 
+  slice1cost_read_words_4_memory_read_enable <= true;
+  slice1cost_read_words_4_memory_read_address <= to_unsigned(slice1cost_read_column, 9);
+  slice1cost_read_words_4_memory_write_address <= to_unsigned(slice3cost_change_column, 9);
   slice1cost_read_words_4_memory_write_data <= to_unsigned(slice1cost_write_words_4, 24);
   slice1cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_read_column, read_data => slice1cost_read_words_4,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_4_memory_read_enable,
+      read_address => slice1cost_read_words_4_memory_read_address, read_data => slice1cost_read_words_4,
+      write_address => slice1cost_read_words_4_memory_write_address, write_data => slice1cost_read_words_4_memory_write_data);
 
+  slice1cost_read_words_3_memory_read_enable <= true;
+  slice1cost_read_words_3_memory_read_address <= to_unsigned(slice1cost_read_column, 9);
+  slice1cost_read_words_3_memory_write_address <= to_unsigned(slice3cost_change_column, 9);
   slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words_3, 24);
   slice1cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_read_column, read_data => slice1cost_read_words_3,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_3_memory_read_enable,
+      read_address => slice1cost_read_words_3_memory_read_address, read_data => slice1cost_read_words_3,
+      write_address => slice1cost_read_words_3_memory_write_address, write_data => slice1cost_read_words_3_memory_write_data);
 
+  slice1cost_read_words_2_memory_read_enable <= true;
+  slice1cost_read_words_2_memory_read_address <= to_unsigned(slice1cost_read_column, 9);
+  slice1cost_read_words_2_memory_write_address <= to_unsigned(slice3cost_change_column, 9);
   slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words_2, 24);
   slice1cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_read_column, read_data => slice1cost_read_words_2,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_2_memory_read_enable,
+      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words_2,
+      write_address => slice1cost_read_words_2_memory_write_address, write_data => slice1cost_read_words_2_memory_write_data);
 
+  slice1cost_read_words_1_memory_read_enable <= true;
+  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice1cost_read_column, 9);
+  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice3cost_change_column, 9);
   slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 24);
   slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_read_column, read_data => slice1cost_read_words_1,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
+      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words_1,
+      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
 
+  slice1cost_read_words_0_memory_read_enable <= true;
+  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice1cost_read_column, 9);
+  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice3cost_change_column, 9);
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 24);
   slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_read_column, read_data => slice1cost_read_words_0,
-      write_address => slice3cost_change_column, write_data => slice1cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
+      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words_0,
+      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
 
+  slice0window_leaving_7_memory_read_enable <= true;
+  slice0window_leaving_7_memory_read_address <= to_unsigned(slice0window_ring_read_address, 5);
+  slice0window_leaving_7_memory_write_address <= to_unsigned(slice0window_ring_write_address, 5);
   slice0window_leaving_7_memory_write_data <= to_unsigned(slice0cost_column_0_15, 12) & to_unsigned(slice0cost_column_0_14, 12);
   slice0window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_7,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_7_memory_read_enable,
+      read_address => slice0window_leaving_7_memory_read_address, read_data => slice0window_leaving_7,
+      write_address => slice0window_leaving_7_memory_write_address, write_data => slice0window_leaving_7_memory_write_data);
 
+  slice0window_leaving_6_memory_read_enable <= true;
+  slice0window_leaving_6_memory_read_address <= to_unsigned(slice0window_ring_read_address, 5);
+  slice0window_leaving_6_memory_write_address <= to_unsigned(slice0window_ring_write_address, 5);
   slice0window_leaving_6_memory_write_data <= to_unsigned(slice0cost_column_0_13, 12) & to_unsigned(slice0cost_column_0_12, 12);
   slice0window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_6,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_6_memory_read_enable,
+      read_address => slice0window_leaving_6_memory_read_address, read_data => slice0window_leaving_6,
+      write_address => slice0window_leaving_6_memory_write_address, write_data => slice0window_leaving_6_memory_write_data);
 
+  slice0window_leaving_5_memory_read_enable <= true;
+  slice0window_leaving_5_memory_read_address <= to_unsigned(slice0window_ring_read_address, 5);
+  slice0window_leaving_5_memory_write_address <= to_unsigned(slice0window_ring_write_address, 5);
   slice0window_leaving_5_memory_write_data <= to_unsigned(slice0cost_column_0_11, 12) & to_unsigned(slice0cost_column_0_10, 12);
   slice0window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_5,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_5_memory_read_enable,
+      read_address => slice0window_leaving_5_memory_read_address, read_data => slice0window_leaving_5,
+      write_address => slice0window_leaving_5_memory_write_address, write_data => slice0window_leaving_5_memory_write_data);
 
+  slice0window_leaving_4_memory_read_enable <= true;
+  slice0window_leaving_4_memory_read_address <= to_unsigned(slice0window_ring_read_address, 5);
+  slice0window_leaving_4_memory_write_address <= to_unsigned(slice0window_ring_write_address, 5);
   slice0window_leaving_4_memory_write_data <= to_unsigned(slice0cost_column_0_9, 12) & to_unsigned(slice0cost_column_0_8, 12);
   slice0window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_4,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_4_memory_read_enable,
+      read_address => slice0window_leaving_4_memory_read_address, read_data => slice0window_leaving_4,
+      write_address => slice0window_leaving_4_memory_write_address, write_data => slice0window_leaving_4_memory_write_data);
 
+  slice0window_leaving_3_memory_read_enable <= true;
+  slice0window_leaving_3_memory_read_address <= to_unsigned(slice0window_ring_read_address, 5);
+  slice0window_leaving_3_memory_write_address <= to_unsigned(slice0window_ring_write_address, 5);
   slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0_7, 12) & to_unsigned(slice0cost_column_0_6, 12);
   slice0window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_3,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_3_memory_read_enable,
+      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving_3,
+      write_address => slice0window_leaving_3_memory_write_address, write_data => slice0window_leaving_3_memory_write_data);
 
+  slice0window_leaving_2_memory_read_enable <= true;
+  slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 5);
+  slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 5);
   slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0_5, 12) & to_unsigned(slice0cost_column_0_4, 12);
   slice0window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_2,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
+      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving_2,
+      write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
 
+  slice0window_leaving_1_memory_read_enable <= true;
+  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 5);
+  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 5);
   slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0_3, 12) & to_unsigned(slice0cost_column_0_2, 12);
   slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_1,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
+      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving_1,
+      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
 
+  slice0window_leaving_0_memory_read_enable <= true;
+  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 5);
+  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 5);
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_1, 12) & to_unsigned(slice0cost_column_0_0, 12);
   slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 17, width => 24)
+    generic map (depth => 17, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
+      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
+  slice0cost_read_words_7_memory_read_enable <= true;
+  slice0cost_read_words_7_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_7_memory_write_address <= to_unsigned(slice0cost_write_column, 9);
   slice0cost_read_words_7_memory_write_data <= to_unsigned(slice0cost_write_words_7, 24);
   slice0cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_7,
-      write_address => slice0cost_write_column, write_data => slice0cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_7_memory_read_enable,
+      read_address => slice0cost_read_words_7_memory_read_address, read_data => slice0cost_read_words_7,
+      write_address => slice0cost_read_words_7_memory_write_address, write_data => slice0cost_read_words_7_memory_write_data);
 
+  slice0cost_read_words_6_memory_read_enable <= true;
+  slice0cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_6_memory_write_address <= to_unsigned(slice0cost_write_column, 9);
   slice0cost_read_words_6_memory_write_data <= to_unsigned(slice0cost_write_words_6, 24);
   slice0cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_6,
-      write_address => slice0cost_write_column, write_data => slice0cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_6_memory_read_enable,
+      read_address => slice0cost_read_words_6_memory_read_address, read_data => slice0cost_read_words_6,
+      write_address => slice0cost_read_words_6_memory_write_address, write_data => slice0cost_read_words_6_memory_write_data);
 
+  slice0cost_read_words_5_memory_read_enable <= true;
+  slice0cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_5_memory_write_address <= to_unsigned(slice0cost_write_column, 9);
   slice0cost_read_words_5_memory_write_data <= to_unsigned(slice0cost_write_words_5, 24);
   slice0cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_5,
-      write_address => slice0cost_write_column, write_data => slice0cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_5_memory_read_enable,
+      read_address => slice0cost_read_words_5_memory_read_address, read_data => slice0cost_read_words_5,
+      write_address => slice0cost_read_words_5_memory_write_address, write_data => slice0cost_read_words_5_memory_write_data);
 
+  slice0cost_read_words_4_memory_read_enable <= true;
+  slice0cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_4_memory_write_address <= to_unsigned(slice0cost_write_column, 9);
   slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words_4, 24);
   slice0cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_4,
-      write_address => slice0cost_write_column, write_data => slice0cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_4_memory_read_enable,
+      read_address => slice0cost_read_words_4_memory_read_address, read_data => slice0cost_read_words_4,
+      write_address => slice0cost_read_words_4_memory_write_address, write_data => slice0cost_read_words_4_memory_write_data);
 
+  slice0cost_read_words_3_memory_read_enable <= true;
+  slice0cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_3_memory_write_address <= to_unsigned(slice0cost_write_column, 9);
   slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words_3, 24);
   slice0cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_3,
-      write_address => slice0cost_write_column, write_data => slice0cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_3_memory_read_enable,
+      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words_3,
+      write_address => slice0cost_read_words_3_memory_write_address, write_data => slice0cost_read_words_3_memory_write_data);
 
+  slice0cost_read_words_2_memory_read_enable <= true;
+  slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_2_memory_write_address <= to_unsigned(slice0cost_write_column, 9);
   slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words_2, 24);
   slice0cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_2,
-      write_address => slice0cost_write_column, write_data => slice0cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
+      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words_2,
+      write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
 
+  slice0cost_read_words_1_memory_read_enable <= true;
+  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice0cost_write_column, 9);
   slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 24);
   slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
-      write_address => slice0cost_write_column, write_data => slice0cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
+      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words_1,
+      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
 
+  slice0cost_read_words_0_memory_read_enable <= true;
+  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice0cost_write_column, 9);
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 24);
   slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice0cost_write_column, write_data => slice0cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
+      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words_0,
+      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_3_memory_read_enable <= true;
+  rows_search_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_3_memory_write_data <= rows_search_rows_write_words_3;
   rows_search_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_3,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_3_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_3_memory_read_enable,
+      read_address => rows_search_rows_read_words_3_memory_read_address, read_data => rows_search_rows_read_words_3,
+      write_address => rows_search_rows_read_words_3_memory_write_address, write_data => rows_search_rows_read_words_3_memory_write_data);
 
+  rows_search_rows_read_words_2_memory_read_enable <= true;
+  rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_2_memory_write_data <= rows_search_rows_write_words_2;
   rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
+      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words_2,
+      write_address => rows_search_rows_read_words_2_memory_write_address, write_data => rows_search_rows_read_words_2_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_1_memory_write_data <= rows_search_rows_write_words_1;
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_3_memory_read_enable <= true;
+  rows_reference_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_3_memory_write_data <= rows_reference_rows_write_words_3;
   rows_reference_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_3,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_3_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_3_memory_read_enable,
+      read_address => rows_reference_rows_read_words_3_memory_read_address, read_data => rows_reference_rows_read_words_3,
+      write_address => rows_reference_rows_read_words_3_memory_write_address, write_data => rows_reference_rows_read_words_3_memory_write_data);
 
+  rows_reference_rows_read_words_2_memory_read_enable <= true;
+  rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_2_memory_write_data <= rows_reference_rows_write_words_2;
   rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
+      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words_2,
+      write_address => rows_reference_rows_read_words_2_memory_write_address, write_data => rows_reference_rows_read_words_2_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_1_memory_write_data <= rows_reference_rows_write_words_1;
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 6);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 6);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 64, width => 8)
+    generic map (depth => 64, width => 8, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_choice, delay_tag_first_cost_is_equal : boolean;
@@ -1481,22 +1919,36 @@ begin
     if rising_edge(clock) then
       -- raster
       raster_place_group_is_equal := raster_place_column = 319;
-      raster_place_group_choice := raster_place_group_is_equal and in_valid and (not (((raster_place_group / 64) mod 2)
-        = 1)) when ((raster_place_group mod 16) = 7) and ((raster_place_group / 128) = 1) and (((raster_place_group /
-        16) mod 4) = 3) else raster_place_group_is_equal and in_valid;
+      if ((raster_place_group mod 16) = 7) and ((raster_place_group / 128) = 1) and (((raster_place_group / 16) mod 4)
+        = 3) then
+        raster_place_group_choice := raster_place_group_is_equal and in_valid and (not (((raster_place_group / 64) mod
+          2) = 1));
+      else
+        raster_place_group_choice := raster_place_group_is_equal and in_valid;
+      end if;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= 0 when in_start_of_frame and in_valid else (raster_place_group +
-        as_number(raster_place_group_choice)) mod 256;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= 0;
+      else
+        raster_place_group <= (raster_place_group + as_number(raster_place_group_choice)) mod 256;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 512;
+        if raster_place_group_is_equal or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 512;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 63 else (delay_ring_read_address + 1) mod 64;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 63 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 64;
+        end if;
       end if;
       delay_tag_first_cost_is_equal := raster_place_column = 63;
       delay_ahead_0 <= raster_features_search_0;
@@ -1551,10 +2003,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_newest_0 when rows_ready_inside_1 else 0;
-      rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_1 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_row_start <= rows_ready_tag_row_start;
       rows_tag_first_group <= rows_ready_tag_first_group;
@@ -1564,6 +2012,20 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
+        rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_newest_0;
+        rows_reference_1 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= rows_search_rows_ready_words_1(7 downto 0) &
           rows_search_rows_ready_words_0(31 downto 8);
@@ -1632,54 +2094,166 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 mod 4096;
-      slice0cost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_0 +
-        slice0cost_column_0_0_choice) mod 4096;
-      slice0cost_column_0_1_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 / 4096;
-      slice0cost_column_0_1_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_1 +
-        slice0cost_column_0_1_choice) mod 4096;
-      slice0cost_column_0_2_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1 mod 4096;
-      slice0cost_column_0_2_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_2 +
-        slice0cost_column_0_2_choice) mod 4096;
-      slice0cost_column_0_3_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1 / 4096;
-      slice0cost_column_0_3_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_3 +
-        slice0cost_column_0_3_choice) mod 4096;
-      slice0cost_column_0_4_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_2 mod 4096;
-      slice0cost_column_0_4_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_4 +
-        slice0cost_column_0_4_choice) mod 4096;
-      slice0cost_column_0_5_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_2 / 4096;
-      slice0cost_column_0_5_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_5 +
-        slice0cost_column_0_5_choice) mod 4096;
-      slice0cost_column_0_6_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_3 mod 4096;
-      slice0cost_column_0_6_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_6 +
-        slice0cost_column_0_6_choice) mod 4096;
-      slice0cost_column_0_7_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_3 / 4096;
-      slice0cost_column_0_7_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_7 +
-        slice0cost_column_0_7_choice) mod 4096;
-      slice0cost_column_0_8_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_4 mod 4096;
-      slice0cost_column_0_8_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_8 +
-        slice0cost_column_0_8_choice) mod 4096;
-      slice0cost_column_0_9_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_4 / 4096;
-      slice0cost_column_0_9_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_9 +
-        slice0cost_column_0_9_choice) mod 4096;
-      slice0cost_column_0_10_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_5 mod 4096;
-      slice0cost_column_0_10_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_10 +
-        slice0cost_column_0_10_choice) mod 4096;
-      slice0cost_column_0_11_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_5 / 4096;
-      slice0cost_column_0_11_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_11 +
-        slice0cost_column_0_11_choice) mod 4096;
-      slice0cost_column_0_12_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_6 mod 4096;
-      slice0cost_column_0_12_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_12 +
-        slice0cost_column_0_12_choice) mod 4096;
-      slice0cost_column_0_13_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_6 / 4096;
-      slice0cost_column_0_13_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_13 +
-        slice0cost_column_0_13_choice) mod 4096;
-      slice0cost_column_0_14_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_7 mod 4096;
-      slice0cost_column_0_14_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_14 +
-        slice0cost_column_0_14_choice) mod 4096;
-      slice0cost_column_0_15_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_7 / 4096;
-      slice0cost_column_0_15_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_15 +
-        slice0cost_column_0_15_choice) mod 4096;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_0_choice := 0;
+      else
+        slice0cost_column_0_0_choice := slice0cost_ready_words_0 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_0_choice_2 := 0;
+      else
+        slice0cost_column_0_0_choice_2 := (slice0cost_change_0_0 + slice0cost_column_0_0_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_1_choice := 0;
+      else
+        slice0cost_column_0_1_choice := slice0cost_ready_words_0 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_1_choice_2 := 0;
+      else
+        slice0cost_column_0_1_choice_2 := (slice0cost_change_0_1 + slice0cost_column_0_1_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_2_choice := 0;
+      else
+        slice0cost_column_0_2_choice := slice0cost_ready_words_1 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_2_choice_2 := 0;
+      else
+        slice0cost_column_0_2_choice_2 := (slice0cost_change_0_2 + slice0cost_column_0_2_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_3_choice := 0;
+      else
+        slice0cost_column_0_3_choice := slice0cost_ready_words_1 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_3_choice_2 := 0;
+      else
+        slice0cost_column_0_3_choice_2 := (slice0cost_change_0_3 + slice0cost_column_0_3_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_4_choice := 0;
+      else
+        slice0cost_column_0_4_choice := slice0cost_ready_words_2 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_4_choice_2 := 0;
+      else
+        slice0cost_column_0_4_choice_2 := (slice0cost_change_0_4 + slice0cost_column_0_4_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_5_choice := 0;
+      else
+        slice0cost_column_0_5_choice := slice0cost_ready_words_2 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_5_choice_2 := 0;
+      else
+        slice0cost_column_0_5_choice_2 := (slice0cost_change_0_5 + slice0cost_column_0_5_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_6_choice := 0;
+      else
+        slice0cost_column_0_6_choice := slice0cost_ready_words_3 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_6_choice_2 := 0;
+      else
+        slice0cost_column_0_6_choice_2 := (slice0cost_change_0_6 + slice0cost_column_0_6_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_7_choice := 0;
+      else
+        slice0cost_column_0_7_choice := slice0cost_ready_words_3 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_7_choice_2 := 0;
+      else
+        slice0cost_column_0_7_choice_2 := (slice0cost_change_0_7 + slice0cost_column_0_7_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_8_choice := 0;
+      else
+        slice0cost_column_0_8_choice := slice0cost_ready_words_4 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_8_choice_2 := 0;
+      else
+        slice0cost_column_0_8_choice_2 := (slice0cost_change_0_8 + slice0cost_column_0_8_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_9_choice := 0;
+      else
+        slice0cost_column_0_9_choice := slice0cost_ready_words_4 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_9_choice_2 := 0;
+      else
+        slice0cost_column_0_9_choice_2 := (slice0cost_change_0_9 + slice0cost_column_0_9_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_10_choice := 0;
+      else
+        slice0cost_column_0_10_choice := slice0cost_ready_words_5 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_10_choice_2 := 0;
+      else
+        slice0cost_column_0_10_choice_2 := (slice0cost_change_0_10 + slice0cost_column_0_10_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_11_choice := 0;
+      else
+        slice0cost_column_0_11_choice := slice0cost_ready_words_5 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_11_choice_2 := 0;
+      else
+        slice0cost_column_0_11_choice_2 := (slice0cost_change_0_11 + slice0cost_column_0_11_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_12_choice := 0;
+      else
+        slice0cost_column_0_12_choice := slice0cost_ready_words_6 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_12_choice_2 := 0;
+      else
+        slice0cost_column_0_12_choice_2 := (slice0cost_change_0_12 + slice0cost_column_0_12_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_13_choice := 0;
+      else
+        slice0cost_column_0_13_choice := slice0cost_ready_words_6 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_13_choice_2 := 0;
+      else
+        slice0cost_column_0_13_choice_2 := (slice0cost_change_0_13 + slice0cost_column_0_13_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_14_choice := 0;
+      else
+        slice0cost_column_0_14_choice := slice0cost_ready_words_7 mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_14_choice_2 := 0;
+      else
+        slice0cost_column_0_14_choice_2 := (slice0cost_change_0_14 + slice0cost_column_0_14_choice) mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_15_choice := 0;
+      else
+        slice0cost_column_0_15_choice := slice0cost_ready_words_7 / 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_15_choice_2 := 0;
+      else
+        slice0cost_column_0_15_choice_2 := (slice0cost_change_0_15 + slice0cost_column_0_15_choice) mod 4096;
+      end if;
       slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -1854,7 +2428,11 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
       if slice0shift_tag_valid then
-        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 512;
+        if slice0shift_tag_row_start then
+          slice0cost_read_column <= 0;
+        else
+          slice0cost_read_column <= (slice0cost_read_column + 1) mod 512;
+        end if;
       end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_column <= slice0cost_ready_column;
@@ -1869,9 +2447,12 @@ begin
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 16 else
-          (slice0window_ring_read_address + 1) mod 32;
         slice0window_ring_write_address <= slice0window_ring_read_address;
+        if slice0window_ring_read_address = 16 then
+          slice0window_ring_read_address <= 0;
+        else
+          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 32;
+        end if;
       end if;
       if slice0window_entering_tag_leaves_window then
         slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(11 downto 0));
@@ -2006,22 +2587,86 @@ begin
       slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_tag_valid <= slice0window_change_tag_valid;
-      slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
-      slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
-      slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
-      slice0window_sum_0_3_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_3;
-      slice0window_sum_0_4_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_4;
-      slice0window_sum_0_5_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_5;
-      slice0window_sum_0_6_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_6;
-      slice0window_sum_0_7_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_7;
-      slice0window_sum_0_8_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_8;
-      slice0window_sum_0_9_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_9;
-      slice0window_sum_0_10_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_10;
-      slice0window_sum_0_11_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_11;
-      slice0window_sum_0_12_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_12;
-      slice0window_sum_0_13_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_13;
-      slice0window_sum_0_14_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_14;
-      slice0window_sum_0_15_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_15;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_0_choice := 0;
+      else
+        slice0window_sum_0_0_choice := slice0window_sum_0_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_1_choice := 0;
+      else
+        slice0window_sum_0_1_choice := slice0window_sum_0_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_2_choice := 0;
+      else
+        slice0window_sum_0_2_choice := slice0window_sum_0_2;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_3_choice := 0;
+      else
+        slice0window_sum_0_3_choice := slice0window_sum_0_3;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_4_choice := 0;
+      else
+        slice0window_sum_0_4_choice := slice0window_sum_0_4;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_5_choice := 0;
+      else
+        slice0window_sum_0_5_choice := slice0window_sum_0_5;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_6_choice := 0;
+      else
+        slice0window_sum_0_6_choice := slice0window_sum_0_6;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_7_choice := 0;
+      else
+        slice0window_sum_0_7_choice := slice0window_sum_0_7;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_8_choice := 0;
+      else
+        slice0window_sum_0_8_choice := slice0window_sum_0_8;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_9_choice := 0;
+      else
+        slice0window_sum_0_9_choice := slice0window_sum_0_9;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_10_choice := 0;
+      else
+        slice0window_sum_0_10_choice := slice0window_sum_0_10;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_11_choice := 0;
+      else
+        slice0window_sum_0_11_choice := slice0window_sum_0_11;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_12_choice := 0;
+      else
+        slice0window_sum_0_12_choice := slice0window_sum_0_12;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_13_choice := 0;
+      else
+        slice0window_sum_0_13_choice := slice0window_sum_0_13;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_14_choice := 0;
+      else
+        slice0window_sum_0_14_choice := slice0window_sum_0_14;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_15_choice := 0;
+      else
+        slice0window_sum_0_15_choice := slice0window_sum_0_15;
+      end if;
       if slice0window_change_tag_valid then
         slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 65536;
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 65536;
@@ -2053,31 +2698,62 @@ begin
       slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
       slice0winner1_best_cost_0_6_is_less := (slice0window_sum_0_13 - slice0window_sum_0_12) < 0;
       slice0winner1_best_cost_0_7_is_less := (slice0window_sum_0_15 - slice0window_sum_0_14) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
-        slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
-        slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
-        slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
-        slice0window_sum_0_14;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
-      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
-      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
-      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
       slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+      end if;
+      if slice0winner1_best_cost_0_1_is_less then
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_index_0_1 <= 3;
+      else
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_index_0_1 <= 2;
+      end if;
+      if slice0winner1_best_cost_0_2_is_less then
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_index_0_2 <= 5;
+      else
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_index_0_2 <= 4;
+      end if;
+      if slice0winner1_best_cost_0_3_is_less then
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+        slice0winner1_best_index_0_3 <= 7;
+      else
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_index_0_3 <= 6;
+      end if;
+      if slice0winner1_best_cost_0_4_is_less then
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_9;
+        slice0winner1_best_index_0_4 <= 9;
+      else
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_8;
+        slice0winner1_best_index_0_4 <= 8;
+      end if;
+      if slice0winner1_best_cost_0_5_is_less then
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_11;
+        slice0winner1_best_index_0_5 <= 11;
+      else
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_10;
+        slice0winner1_best_index_0_5 <= 10;
+      end if;
+      if slice0winner1_best_cost_0_6_is_less then
+        slice0winner1_best_cost_0_6 <= slice0window_sum_0_13;
+        slice0winner1_best_index_0_6 <= 13;
+      else
+        slice0winner1_best_cost_0_6 <= slice0window_sum_0_12;
+        slice0winner1_best_index_0_6 <= 12;
+      end if;
+      if slice0winner1_best_cost_0_7_is_less then
+        slice0winner1_best_cost_0_7 <= slice0window_sum_0_15;
+        slice0winner1_best_index_0_7 <= 15;
+      else
+        slice0winner1_best_cost_0_7 <= slice0window_sum_0_14;
+        slice0winner1_best_index_0_7 <= 14;
+      end if;
       if slice0winner2_tag_valid then
         slice0winner1_tag_start_of_frame <= slice3window_centre_start_of_frame_4;
       end if;
@@ -2086,23 +2762,35 @@ begin
       slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
       slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
       slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_cost_0_6;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
-      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_index_0_4;
-      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_index_0_6;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+      end if;
+      if slice0winner2_best_cost_0_1_is_less then
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
+      else
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+      end if;
+      if slice0winner2_best_cost_0_2_is_less then
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5;
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
+      else
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
+      end if;
+      if slice0winner2_best_cost_0_3_is_less then
+        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7;
+        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
+      else
+        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_6;
+        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
+      end if;
       if slice0winner2_tag_valid then
         slice0winner2_tag_output_column <= slice3window_centre_output_column_5;
         slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
@@ -2111,28 +2799,37 @@ begin
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
       slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_cost_0_2;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_index_0_2;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      if slice0winner3_best_cost_0_0_is_less then
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+      end if;
+      if slice0winner3_best_cost_0_1_is_less then
+        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3;
+        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
+      else
+        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
+        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
+      end if;
       -- slice0winner4
       slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
-      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_cost_0_0;
-      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_index_0_0;
       slice0winner4_tag_valid <= slice0winner3_tag_valid;
       slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
       slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
       slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      if slice0winner4_best_cost_0_0_is_less then
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
+      else
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner4_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner4_best_index_0_0 + 48;
@@ -2180,54 +2877,166 @@ begin
       slice1shift_search_out_0 <= slice1shift_search_0_0;
       slice1shift_search_out_1 <= slice1shift_search_1_0;
       -- slice1cost
-      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 mod 4096;
-      slice1cost_column_0_0_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_0 +
-        slice1cost_column_0_0_choice) mod 4096;
-      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 / 4096;
-      slice1cost_column_0_1_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_1 +
-        slice1cost_column_0_1_choice) mod 4096;
-      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 mod 4096;
-      slice1cost_column_0_2_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_2 +
-        slice1cost_column_0_2_choice) mod 4096;
-      slice1cost_column_0_3_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 / 4096;
-      slice1cost_column_0_3_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_3 +
-        slice1cost_column_0_3_choice) mod 4096;
-      slice1cost_column_0_4_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_2 mod 4096;
-      slice1cost_column_0_4_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_4 +
-        slice1cost_column_0_4_choice) mod 4096;
-      slice1cost_column_0_5_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_2 / 4096;
-      slice1cost_column_0_5_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_5 +
-        slice1cost_column_0_5_choice) mod 4096;
-      slice1cost_column_0_6_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_3 mod 4096;
-      slice1cost_column_0_6_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_6 +
-        slice1cost_column_0_6_choice) mod 4096;
-      slice1cost_column_0_7_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_3 / 4096;
-      slice1cost_column_0_7_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_7 +
-        slice1cost_column_0_7_choice) mod 4096;
-      slice1cost_column_0_8_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_4 mod 4096;
-      slice1cost_column_0_8_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_8 +
-        slice1cost_column_0_8_choice) mod 4096;
-      slice1cost_column_0_9_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_4 / 4096;
-      slice1cost_column_0_9_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_9 +
-        slice1cost_column_0_9_choice) mod 4096;
-      slice1cost_column_0_10_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_5 mod 4096;
-      slice1cost_column_0_10_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_10 +
-        slice1cost_column_0_10_choice) mod 4096;
-      slice1cost_column_0_11_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_5 / 4096;
-      slice1cost_column_0_11_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_11 +
-        slice1cost_column_0_11_choice) mod 4096;
-      slice1cost_column_0_12_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_6 mod 4096;
-      slice1cost_column_0_12_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_12 +
-        slice1cost_column_0_12_choice) mod 4096;
-      slice1cost_column_0_13_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_6 / 4096;
-      slice1cost_column_0_13_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_13 +
-        slice1cost_column_0_13_choice) mod 4096;
-      slice1cost_column_0_14_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_7 mod 4096;
-      slice1cost_column_0_14_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_14 +
-        slice1cost_column_0_14_choice) mod 4096;
-      slice1cost_column_0_15_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_7 / 4096;
-      slice1cost_column_0_15_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_15 +
-        slice1cost_column_0_15_choice) mod 4096;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_0_choice := 0;
+      else
+        slice1cost_column_0_0_choice := slice1cost_ready_words_0 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0_choice_2 := 0;
+      else
+        slice1cost_column_0_0_choice_2 := (slice1cost_change_0_0 + slice1cost_column_0_0_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_1_choice := 0;
+      else
+        slice1cost_column_0_1_choice := slice1cost_ready_words_0 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_1_choice_2 := 0;
+      else
+        slice1cost_column_0_1_choice_2 := (slice1cost_change_0_1 + slice1cost_column_0_1_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_2_choice := 0;
+      else
+        slice1cost_column_0_2_choice := slice1cost_ready_words_1 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_2_choice_2 := 0;
+      else
+        slice1cost_column_0_2_choice_2 := (slice1cost_change_0_2 + slice1cost_column_0_2_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_3_choice := 0;
+      else
+        slice1cost_column_0_3_choice := slice1cost_ready_words_1 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_3_choice_2 := 0;
+      else
+        slice1cost_column_0_3_choice_2 := (slice1cost_change_0_3 + slice1cost_column_0_3_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_4_choice := 0;
+      else
+        slice1cost_column_0_4_choice := slice1cost_ready_words_2 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_4_choice_2 := 0;
+      else
+        slice1cost_column_0_4_choice_2 := (slice1cost_change_0_4 + slice1cost_column_0_4_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_5_choice := 0;
+      else
+        slice1cost_column_0_5_choice := slice1cost_ready_words_2 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_5_choice_2 := 0;
+      else
+        slice1cost_column_0_5_choice_2 := (slice1cost_change_0_5 + slice1cost_column_0_5_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_6_choice := 0;
+      else
+        slice1cost_column_0_6_choice := slice1cost_ready_words_3 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_6_choice_2 := 0;
+      else
+        slice1cost_column_0_6_choice_2 := (slice1cost_change_0_6 + slice1cost_column_0_6_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_7_choice := 0;
+      else
+        slice1cost_column_0_7_choice := slice1cost_ready_words_3 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_7_choice_2 := 0;
+      else
+        slice1cost_column_0_7_choice_2 := (slice1cost_change_0_7 + slice1cost_column_0_7_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_8_choice := 0;
+      else
+        slice1cost_column_0_8_choice := slice1cost_ready_words_4 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_8_choice_2 := 0;
+      else
+        slice1cost_column_0_8_choice_2 := (slice1cost_change_0_8 + slice1cost_column_0_8_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_9_choice := 0;
+      else
+        slice1cost_column_0_9_choice := slice1cost_ready_words_4 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_9_choice_2 := 0;
+      else
+        slice1cost_column_0_9_choice_2 := (slice1cost_change_0_9 + slice1cost_column_0_9_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_10_choice := 0;
+      else
+        slice1cost_column_0_10_choice := slice1cost_ready_words_5 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_10_choice_2 := 0;
+      else
+        slice1cost_column_0_10_choice_2 := (slice1cost_change_0_10 + slice1cost_column_0_10_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_11_choice := 0;
+      else
+        slice1cost_column_0_11_choice := slice1cost_ready_words_5 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_11_choice_2 := 0;
+      else
+        slice1cost_column_0_11_choice_2 := (slice1cost_change_0_11 + slice1cost_column_0_11_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_12_choice := 0;
+      else
+        slice1cost_column_0_12_choice := slice1cost_ready_words_6 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_12_choice_2 := 0;
+      else
+        slice1cost_column_0_12_choice_2 := (slice1cost_change_0_12 + slice1cost_column_0_12_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_13_choice := 0;
+      else
+        slice1cost_column_0_13_choice := slice1cost_ready_words_6 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_13_choice_2 := 0;
+      else
+        slice1cost_column_0_13_choice_2 := (slice1cost_change_0_13 + slice1cost_column_0_13_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_14_choice := 0;
+      else
+        slice1cost_column_0_14_choice := slice1cost_ready_words_7 mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_14_choice_2 := 0;
+      else
+        slice1cost_column_0_14_choice_2 := (slice1cost_change_0_14 + slice1cost_column_0_14_choice) mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_15_choice := 0;
+      else
+        slice1cost_column_0_15_choice := slice1cost_ready_words_7 / 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_15_choice_2 := 0;
+      else
+        slice1cost_column_0_15_choice_2 := (slice1cost_change_0_15 + slice1cost_column_0_15_choice) mod 4096;
+      end if;
       slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_pixels_first_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -2366,14 +3175,25 @@ begin
       slice1cost_column_0_15 <= slice1cost_column_0_15_choice_2;
       slice1cost_write_column <= slice1cost_ready_column;
       if slice0cost_pixels_first_tag_valid then
-        slice1cost_read_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice1cost_read_column + 1) mod
-          512;
+        if slice0cost_pixels_first_tag_row_start then
+          slice1cost_read_column <= 0;
+        else
+          slice1cost_read_column <= (slice1cost_read_column + 1) mod 512;
+        end if;
       end if;
       if slice0cost_pixels_tag_valid then
-        slice1cost_change_column <= 0 when slice0cost_pixels_tag_row_start else (slice1cost_change_column + 1) mod 512;
+        if slice0cost_pixels_tag_row_start then
+          slice1cost_change_column <= 0;
+        else
+          slice1cost_change_column <= (slice1cost_change_column + 1) mod 512;
+        end if;
       end if;
       if slice0cost_ready_tag_valid then
-        slice1cost_ready_column <= 0 when slice0cost_ready_tag_row_start else (slice1cost_ready_column + 1) mod 512;
+        if slice0cost_ready_tag_row_start then
+          slice1cost_ready_column <= 0;
+        else
+          slice1cost_ready_column <= (slice1cost_ready_column + 1) mod 512;
+        end if;
       end if;
       if slice0cost_tag_valid then
         slice1cost_write_words_0 <= (slice1cost_column_0_1_choice_2 * 4096) + slice1cost_column_0_0_choice_2;
@@ -2387,9 +3207,12 @@ begin
       end if;
       -- slice1window
       if slice0window_entering_tag_valid then
-        slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 16 else
-          (slice1window_ring_read_address + 1) mod 32;
         slice1window_ring_write_address <= slice1window_ring_read_address;
+        if slice1window_ring_read_address = 16 then
+          slice1window_ring_read_address <= 0;
+        else
+          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 32;
+        end if;
       end if;
       if slice0window_change_tag_leaves_window then
         slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(11 downto 0));
@@ -2508,22 +3331,86 @@ begin
       slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
       slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
-      slice1window_sum_0_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_0;
-      slice1window_sum_0_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_1;
-      slice1window_sum_0_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_2;
-      slice1window_sum_0_3_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_3;
-      slice1window_sum_0_4_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_4;
-      slice1window_sum_0_5_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_5;
-      slice1window_sum_0_6_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_6;
-      slice1window_sum_0_7_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_7;
-      slice1window_sum_0_8_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_8;
-      slice1window_sum_0_9_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_9;
-      slice1window_sum_0_10_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_10;
-      slice1window_sum_0_11_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_11;
-      slice1window_sum_0_12_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_12;
-      slice1window_sum_0_13_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_13;
-      slice1window_sum_0_14_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_14;
-      slice1window_sum_0_15_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_15;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_0_choice := 0;
+      else
+        slice1window_sum_0_0_choice := slice1window_sum_0_0;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_1_choice := 0;
+      else
+        slice1window_sum_0_1_choice := slice1window_sum_0_1;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_2_choice := 0;
+      else
+        slice1window_sum_0_2_choice := slice1window_sum_0_2;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_3_choice := 0;
+      else
+        slice1window_sum_0_3_choice := slice1window_sum_0_3;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_4_choice := 0;
+      else
+        slice1window_sum_0_4_choice := slice1window_sum_0_4;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_5_choice := 0;
+      else
+        slice1window_sum_0_5_choice := slice1window_sum_0_5;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_6_choice := 0;
+      else
+        slice1window_sum_0_6_choice := slice1window_sum_0_6;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_7_choice := 0;
+      else
+        slice1window_sum_0_7_choice := slice1window_sum_0_7;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_8_choice := 0;
+      else
+        slice1window_sum_0_8_choice := slice1window_sum_0_8;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_9_choice := 0;
+      else
+        slice1window_sum_0_9_choice := slice1window_sum_0_9;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_10_choice := 0;
+      else
+        slice1window_sum_0_10_choice := slice1window_sum_0_10;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_11_choice := 0;
+      else
+        slice1window_sum_0_11_choice := slice1window_sum_0_11;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_12_choice := 0;
+      else
+        slice1window_sum_0_12_choice := slice1window_sum_0_12;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_13_choice := 0;
+      else
+        slice1window_sum_0_13_choice := slice1window_sum_0_13;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_14_choice := 0;
+      else
+        slice1window_sum_0_14_choice := slice1window_sum_0_14;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_15_choice := 0;
+      else
+        slice1window_sum_0_15_choice := slice1window_sum_0_15;
+      end if;
       if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 65536;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 65536;
@@ -2551,77 +3438,133 @@ begin
       slice1winner1_best_cost_0_5_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
       slice1winner1_best_cost_0_6_is_less := (slice1window_sum_0_13 - slice1window_sum_0_12) < 0;
       slice1winner1_best_cost_0_7_is_less := (slice1window_sum_0_15 - slice1window_sum_0_14) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
-        slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
-        slice1window_sum_0_10;
-      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
-        slice1window_sum_0_12;
-      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
-        slice1window_sum_0_14;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
-      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
-      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
-      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
-      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+      end if;
+      if slice1winner1_best_cost_0_1_is_less then
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+        slice1winner1_best_index_0_1 <= 3;
+      else
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_index_0_1 <= 2;
+      end if;
+      if slice1winner1_best_cost_0_2_is_less then
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+        slice1winner1_best_index_0_2 <= 5;
+      else
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_index_0_2 <= 4;
+      end if;
+      if slice1winner1_best_cost_0_3_is_less then
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_7;
+        slice1winner1_best_index_0_3 <= 7;
+      else
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_index_0_3 <= 6;
+      end if;
+      if slice1winner1_best_cost_0_4_is_less then
+        slice1winner1_best_cost_0_4 <= slice1window_sum_0_9;
+        slice1winner1_best_index_0_4 <= 9;
+      else
+        slice1winner1_best_cost_0_4 <= slice1window_sum_0_8;
+        slice1winner1_best_index_0_4 <= 8;
+      end if;
+      if slice1winner1_best_cost_0_5_is_less then
+        slice1winner1_best_cost_0_5 <= slice1window_sum_0_11;
+        slice1winner1_best_index_0_5 <= 11;
+      else
+        slice1winner1_best_cost_0_5 <= slice1window_sum_0_10;
+        slice1winner1_best_index_0_5 <= 10;
+      end if;
+      if slice1winner1_best_cost_0_6_is_less then
+        slice1winner1_best_cost_0_6 <= slice1window_sum_0_13;
+        slice1winner1_best_index_0_6 <= 13;
+      else
+        slice1winner1_best_cost_0_6 <= slice1window_sum_0_12;
+        slice1winner1_best_index_0_6 <= 12;
+      end if;
+      if slice1winner1_best_cost_0_7_is_less then
+        slice1winner1_best_cost_0_7 <= slice1window_sum_0_15;
+        slice1winner1_best_index_0_7 <= 15;
+      else
+        slice1winner1_best_cost_0_7 <= slice1window_sum_0_14;
+        slice1winner1_best_index_0_7 <= 14;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
       slice1winner2_best_cost_0_2_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
       slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_cost_0_4;
-      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_cost_0_6;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_index_0_2;
-      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_index_0_4;
-      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_index_0_6;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+      end if;
+      if slice1winner2_best_cost_0_1_is_less then
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
+      else
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+      end if;
+      if slice1winner2_best_cost_0_2_is_less then
+        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5;
+        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
+      else
+        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_4;
+        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
+      end if;
+      if slice1winner2_best_cost_0_3_is_less then
+        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7;
+        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
+      else
+        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_6;
+        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
+      end if;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
       slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_cost_0_2;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
-      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_index_0_2;
+      if slice1winner3_best_cost_0_0_is_less then
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
+      else
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
+      end if;
+      if slice1winner3_best_cost_0_1_is_less then
+        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3;
+        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
+      else
+        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_2;
+        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
+      end if;
       -- slice1winner4
       slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
-      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_cost_0_0;
-      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_index_0_0;
+      if slice1winner4_best_cost_0_0_is_less then
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1;
+        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
+      else
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner4_best_cost_0_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner4_best_cost_0_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner4_best_index_0_0 + 32;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner4_best_cost_0_0;
+        slice1_best_index_0_0 <= slice1winner4_best_index_0_0 + 32;
+      end if;
       -- slice2shift
       if slice0cost_pixels_first_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -2662,65 +3605,166 @@ begin
       slice2shift_search_out_0 <= slice2shift_search_0_0;
       slice2shift_search_out_1 <= slice2shift_search_1_0;
       -- slice2cost
-      slice2cost_column_0_0_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 mod
-        4096;
-      slice2cost_column_0_0_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_0 +
-        slice2cost_column_0_0_choice) mod 4096;
-      slice2cost_column_0_1_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 / 4096;
-      slice2cost_column_0_1_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_1 +
-        slice2cost_column_0_1_choice) mod 4096;
-      slice2cost_column_0_2_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_1 mod
-        4096;
-      slice2cost_column_0_2_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_2 +
-        slice2cost_column_0_2_choice) mod 4096;
-      slice2cost_column_0_3_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_1 / 4096;
-      slice2cost_column_0_3_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_3 +
-        slice2cost_column_0_3_choice) mod 4096;
-      slice2cost_column_0_4_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_2 mod
-        4096;
-      slice2cost_column_0_4_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_4 +
-        slice2cost_column_0_4_choice) mod 4096;
-      slice2cost_column_0_5_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_2 / 4096;
-      slice2cost_column_0_5_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_5 +
-        slice2cost_column_0_5_choice) mod 4096;
-      slice2cost_column_0_6_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_3 mod
-        4096;
-      slice2cost_column_0_6_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_6 +
-        slice2cost_column_0_6_choice) mod 4096;
-      slice2cost_column_0_7_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_3 / 4096;
-      slice2cost_column_0_7_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_7 +
-        slice2cost_column_0_7_choice) mod 4096;
-      slice2cost_column_0_8_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_4 mod
-        4096;
-      slice2cost_column_0_8_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_8 +
-        slice2cost_column_0_8_choice) mod 4096;
-      slice2cost_column_0_9_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_4 / 4096;
-      slice2cost_column_0_9_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_9 +
-        slice2cost_column_0_9_choice) mod 4096;
-      slice2cost_column_0_10_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_5 mod
-        4096;
-      slice2cost_column_0_10_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_10 +
-        slice2cost_column_0_10_choice) mod 4096;
-      slice2cost_column_0_11_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_5 /
-        4096;
-      slice2cost_column_0_11_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_11 +
-        slice2cost_column_0_11_choice) mod 4096;
-      slice2cost_column_0_12_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_6 mod
-        4096;
-      slice2cost_column_0_12_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_12 +
-        slice2cost_column_0_12_choice) mod 4096;
-      slice2cost_column_0_13_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_6 /
-        4096;
-      slice2cost_column_0_13_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_13 +
-        slice2cost_column_0_13_choice) mod 4096;
-      slice2cost_column_0_14_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_7 mod
-        4096;
-      slice2cost_column_0_14_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_14 +
-        slice2cost_column_0_14_choice) mod 4096;
-      slice2cost_column_0_15_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_7 /
-        4096;
-      slice2cost_column_0_15_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_15 +
-        slice2cost_column_0_15_choice) mod 4096;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_0_choice := 0;
+      else
+        slice2cost_column_0_0_choice := slice2cost_ready_words_0 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_0_choice_2 := 0;
+      else
+        slice2cost_column_0_0_choice_2 := (slice2cost_change_0_0 + slice2cost_column_0_0_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_1_choice := 0;
+      else
+        slice2cost_column_0_1_choice := slice2cost_ready_words_0 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_1_choice_2 := 0;
+      else
+        slice2cost_column_0_1_choice_2 := (slice2cost_change_0_1 + slice2cost_column_0_1_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_2_choice := 0;
+      else
+        slice2cost_column_0_2_choice := slice2cost_ready_words_1 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_2_choice_2 := 0;
+      else
+        slice2cost_column_0_2_choice_2 := (slice2cost_change_0_2 + slice2cost_column_0_2_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_3_choice := 0;
+      else
+        slice2cost_column_0_3_choice := slice2cost_ready_words_1 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_3_choice_2 := 0;
+      else
+        slice2cost_column_0_3_choice_2 := (slice2cost_change_0_3 + slice2cost_column_0_3_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_4_choice := 0;
+      else
+        slice2cost_column_0_4_choice := slice2cost_ready_words_2 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_4_choice_2 := 0;
+      else
+        slice2cost_column_0_4_choice_2 := (slice2cost_change_0_4 + slice2cost_column_0_4_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_5_choice := 0;
+      else
+        slice2cost_column_0_5_choice := slice2cost_ready_words_2 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_5_choice_2 := 0;
+      else
+        slice2cost_column_0_5_choice_2 := (slice2cost_change_0_5 + slice2cost_column_0_5_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_6_choice := 0;
+      else
+        slice2cost_column_0_6_choice := slice2cost_ready_words_3 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_6_choice_2 := 0;
+      else
+        slice2cost_column_0_6_choice_2 := (slice2cost_change_0_6 + slice2cost_column_0_6_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_7_choice := 0;
+      else
+        slice2cost_column_0_7_choice := slice2cost_ready_words_3 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_7_choice_2 := 0;
+      else
+        slice2cost_column_0_7_choice_2 := (slice2cost_change_0_7 + slice2cost_column_0_7_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_8_choice := 0;
+      else
+        slice2cost_column_0_8_choice := slice2cost_ready_words_4 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_8_choice_2 := 0;
+      else
+        slice2cost_column_0_8_choice_2 := (slice2cost_change_0_8 + slice2cost_column_0_8_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_9_choice := 0;
+      else
+        slice2cost_column_0_9_choice := slice2cost_ready_words_4 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_9_choice_2 := 0;
+      else
+        slice2cost_column_0_9_choice_2 := (slice2cost_change_0_9 + slice2cost_column_0_9_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_10_choice := 0;
+      else
+        slice2cost_column_0_10_choice := slice2cost_ready_words_5 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_10_choice_2 := 0;
+      else
+        slice2cost_column_0_10_choice_2 := (slice2cost_change_0_10 + slice2cost_column_0_10_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_11_choice := 0;
+      else
+        slice2cost_column_0_11_choice := slice2cost_ready_words_5 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_11_choice_2 := 0;
+      else
+        slice2cost_column_0_11_choice_2 := (slice2cost_change_0_11 + slice2cost_column_0_11_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_12_choice := 0;
+      else
+        slice2cost_column_0_12_choice := slice2cost_ready_words_6 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_12_choice_2 := 0;
+      else
+        slice2cost_column_0_12_choice_2 := (slice2cost_change_0_12 + slice2cost_column_0_12_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_13_choice := 0;
+      else
+        slice2cost_column_0_13_choice := slice2cost_ready_words_6 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_13_choice_2 := 0;
+      else
+        slice2cost_column_0_13_choice_2 := (slice2cost_change_0_13 + slice2cost_column_0_13_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_14_choice := 0;
+      else
+        slice2cost_column_0_14_choice := slice2cost_ready_words_7 mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_14_choice_2 := 0;
+      else
+        slice2cost_column_0_14_choice_2 := (slice2cost_change_0_14 + slice2cost_column_0_14_choice) mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_15_choice := 0;
+      else
+        slice2cost_column_0_15_choice := slice2cost_ready_words_7 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_15_choice_2 := 0;
+      else
+        slice2cost_column_0_15_choice_2 := (slice2cost_change_0_15 + slice2cost_column_0_15_choice) mod 4096;
+      end if;
       slice2cost_pixels_first_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_pixels_first_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_pixels_first_0_2 <= slice2shift_search_0_2 - slice2shift_reference_0;
@@ -2873,9 +3917,12 @@ begin
       end if;
       -- slice2window
       if slice0window_change_tag_valid then
-        slice2window_ring_read_address <= 0 when slice2window_ring_read_address = 16 else
-          (slice2window_ring_read_address + 1) mod 32;
         slice2window_ring_write_address <= slice2window_ring_read_address;
+        if slice2window_ring_read_address = 16 then
+          slice2window_ring_read_address <= 0;
+        else
+          slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 32;
+        end if;
       end if;
       if slice1window_change_tag_leaves_window then
         slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(11 downto 0));
@@ -2994,22 +4041,86 @@ begin
       slice2window_centre_first_column_0 <= slice1window_centre_first_column_0;
       slice2window_centre_start_of_frame_0 <= slice1window_centre_start_of_frame_0;
       slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
-      slice2window_sum_0_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_0;
-      slice2window_sum_0_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_1;
-      slice2window_sum_0_2_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_2;
-      slice2window_sum_0_3_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_3;
-      slice2window_sum_0_4_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_4;
-      slice2window_sum_0_5_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_5;
-      slice2window_sum_0_6_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_6;
-      slice2window_sum_0_7_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_7;
-      slice2window_sum_0_8_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_8;
-      slice2window_sum_0_9_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_9;
-      slice2window_sum_0_10_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_10;
-      slice2window_sum_0_11_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_11;
-      slice2window_sum_0_12_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_12;
-      slice2window_sum_0_13_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_13;
-      slice2window_sum_0_14_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_14;
-      slice2window_sum_0_15_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_15;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_0_choice := 0;
+      else
+        slice2window_sum_0_0_choice := slice2window_sum_0_0;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_1_choice := 0;
+      else
+        slice2window_sum_0_1_choice := slice2window_sum_0_1;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_2_choice := 0;
+      else
+        slice2window_sum_0_2_choice := slice2window_sum_0_2;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_3_choice := 0;
+      else
+        slice2window_sum_0_3_choice := slice2window_sum_0_3;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_4_choice := 0;
+      else
+        slice2window_sum_0_4_choice := slice2window_sum_0_4;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_5_choice := 0;
+      else
+        slice2window_sum_0_5_choice := slice2window_sum_0_5;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_6_choice := 0;
+      else
+        slice2window_sum_0_6_choice := slice2window_sum_0_6;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_7_choice := 0;
+      else
+        slice2window_sum_0_7_choice := slice2window_sum_0_7;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_8_choice := 0;
+      else
+        slice2window_sum_0_8_choice := slice2window_sum_0_8;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_9_choice := 0;
+      else
+        slice2window_sum_0_9_choice := slice2window_sum_0_9;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_10_choice := 0;
+      else
+        slice2window_sum_0_10_choice := slice2window_sum_0_10;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_11_choice := 0;
+      else
+        slice2window_sum_0_11_choice := slice2window_sum_0_11;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_12_choice := 0;
+      else
+        slice2window_sum_0_12_choice := slice2window_sum_0_12;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_13_choice := 0;
+      else
+        slice2window_sum_0_13_choice := slice2window_sum_0_13;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_14_choice := 0;
+      else
+        slice2window_sum_0_14_choice := slice2window_sum_0_14;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_15_choice := 0;
+      else
+        slice2window_sum_0_15_choice := slice2window_sum_0_15;
+      end if;
       if slice0winner1_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 65536;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 65536;
@@ -3040,77 +4151,133 @@ begin
       slice2winner1_best_cost_0_5_is_less := (slice2window_sum_0_11 - slice2window_sum_0_10) < 0;
       slice2winner1_best_cost_0_6_is_less := (slice2window_sum_0_13 - slice2window_sum_0_12) < 0;
       slice2winner1_best_cost_0_7_is_less := (slice2window_sum_0_15 - slice2window_sum_0_14) < 0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
-        slice2window_sum_0_2;
-      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
-        slice2window_sum_0_4;
-      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
-        slice2window_sum_0_6;
-      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_best_cost_0_4_is_less else
-        slice2window_sum_0_8;
-      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_best_cost_0_5_is_less else
-        slice2window_sum_0_10;
-      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when slice2winner1_best_cost_0_6_is_less else
-        slice2window_sum_0_12;
-      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when slice2winner1_best_cost_0_7_is_less else
-        slice2window_sum_0_14;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
-      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
-      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
-      slice2winner1_best_index_0_4 <= 9 when slice2winner1_best_cost_0_4_is_less else 8;
-      slice2winner1_best_index_0_5 <= 11 when slice2winner1_best_cost_0_5_is_less else 10;
-      slice2winner1_best_index_0_6 <= 13 when slice2winner1_best_cost_0_6_is_less else 12;
-      slice2winner1_best_index_0_7 <= 15 when slice2winner1_best_cost_0_7_is_less else 14;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
+      if slice2winner1_best_cost_0_1_is_less then
+        slice2winner1_best_cost_0_1 <= slice2window_sum_0_3;
+        slice2winner1_best_index_0_1 <= 3;
+      else
+        slice2winner1_best_cost_0_1 <= slice2window_sum_0_2;
+        slice2winner1_best_index_0_1 <= 2;
+      end if;
+      if slice2winner1_best_cost_0_2_is_less then
+        slice2winner1_best_cost_0_2 <= slice2window_sum_0_5;
+        slice2winner1_best_index_0_2 <= 5;
+      else
+        slice2winner1_best_cost_0_2 <= slice2window_sum_0_4;
+        slice2winner1_best_index_0_2 <= 4;
+      end if;
+      if slice2winner1_best_cost_0_3_is_less then
+        slice2winner1_best_cost_0_3 <= slice2window_sum_0_7;
+        slice2winner1_best_index_0_3 <= 7;
+      else
+        slice2winner1_best_cost_0_3 <= slice2window_sum_0_6;
+        slice2winner1_best_index_0_3 <= 6;
+      end if;
+      if slice2winner1_best_cost_0_4_is_less then
+        slice2winner1_best_cost_0_4 <= slice2window_sum_0_9;
+        slice2winner1_best_index_0_4 <= 9;
+      else
+        slice2winner1_best_cost_0_4 <= slice2window_sum_0_8;
+        slice2winner1_best_index_0_4 <= 8;
+      end if;
+      if slice2winner1_best_cost_0_5_is_less then
+        slice2winner1_best_cost_0_5 <= slice2window_sum_0_11;
+        slice2winner1_best_index_0_5 <= 11;
+      else
+        slice2winner1_best_cost_0_5 <= slice2window_sum_0_10;
+        slice2winner1_best_index_0_5 <= 10;
+      end if;
+      if slice2winner1_best_cost_0_6_is_less then
+        slice2winner1_best_cost_0_6 <= slice2window_sum_0_13;
+        slice2winner1_best_index_0_6 <= 13;
+      else
+        slice2winner1_best_cost_0_6 <= slice2window_sum_0_12;
+        slice2winner1_best_index_0_6 <= 12;
+      end if;
+      if slice2winner1_best_cost_0_7_is_less then
+        slice2winner1_best_cost_0_7 <= slice2window_sum_0_15;
+        slice2winner1_best_index_0_7 <= 15;
+      else
+        slice2winner1_best_cost_0_7 <= slice2window_sum_0_14;
+        slice2winner1_best_index_0_7 <= 14;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
       slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
       slice2winner2_best_cost_0_2_is_less := (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0;
       slice2winner2_best_cost_0_3_is_less := (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0;
-      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
-        slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
-        slice2winner1_best_cost_0_2;
-      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner2_best_cost_0_2_is_less else
-        slice2winner1_best_cost_0_4;
-      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_cost_0_6;
-      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
-        as_number(slice2winner1_best_index_0_0);
-      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
-        slice2winner1_best_index_0_2;
-      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_cost_0_2_is_less else
-        slice2winner1_best_index_0_4;
-      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_index_0_6;
+      if slice2winner2_best_cost_0_0_is_less then
+        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1;
+        slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1;
+      else
+        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
+        slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
+      end if;
+      if slice2winner2_best_cost_0_1_is_less then
+        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3;
+        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3;
+      else
+        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_2;
+        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2;
+      end if;
+      if slice2winner2_best_cost_0_2_is_less then
+        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5;
+        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5;
+      else
+        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_4;
+        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
+      end if;
+      if slice2winner2_best_cost_0_3_is_less then
+        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7;
+        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7;
+      else
+        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_6;
+        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_6;
+      end if;
       -- slice2winner3
       slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
       slice2winner3_best_cost_0_1_is_less := (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0;
-      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
-        slice2winner2_best_cost_0_0;
-      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_cost_0_2;
-      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
-        slice2winner2_best_index_0_0;
-      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_index_0_2;
+      if slice2winner3_best_cost_0_0_is_less then
+        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1;
+        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1;
+      else
+        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+      end if;
+      if slice2winner3_best_cost_0_1_is_less then
+        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3;
+        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3;
+      else
+        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_2;
+        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
+      end if;
       -- slice2winner4
       slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
-      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_cost_0_0;
-      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_index_0_0;
+      if slice2winner4_best_cost_0_0_is_less then
+        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1;
+        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1;
+      else
+        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_0;
+        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0;
+      end if;
       -- slice2
       slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner4_best_cost_0_0) < 0;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner4_best_cost_0_0;
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner4_best_index_0_0 + 16;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if slice2_best_cost_0_0_is_less then
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      else
+        slice2_best_cost_0_0 <= slice2winner4_best_cost_0_0;
+        slice2_best_index_0_0 <= slice2winner4_best_index_0_0 + 16;
+      end if;
       -- slice3shift
       if slice0cost_pixels_tag_valid then
         slice3shift_search_0_0 <= slice3shift_search_0_1;
@@ -3149,57 +4316,166 @@ begin
       slice3shift_reference_0 <= slice2shift_reference_0;
       slice3shift_reference_1 <= slice2shift_reference_1;
       -- slice3cost
-      slice3cost_column_0_0_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_0 mod 4096;
-      slice3cost_column_0_0_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_0 +
-        slice3cost_column_0_0_choice) mod 4096;
-      slice3cost_column_0_1_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_0 / 4096;
-      slice3cost_column_0_1_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_1 +
-        slice3cost_column_0_1_choice) mod 4096;
-      slice3cost_column_0_2_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_1 mod 4096;
-      slice3cost_column_0_2_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_2 +
-        slice3cost_column_0_2_choice) mod 4096;
-      slice3cost_column_0_3_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_1 / 4096;
-      slice3cost_column_0_3_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_3 +
-        slice3cost_column_0_3_choice) mod 4096;
-      slice3cost_column_0_4_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_2 mod 4096;
-      slice3cost_column_0_4_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_4 +
-        slice3cost_column_0_4_choice) mod 4096;
-      slice3cost_column_0_5_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_2 / 4096;
-      slice3cost_column_0_5_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_5 +
-        slice3cost_column_0_5_choice) mod 4096;
-      slice3cost_column_0_6_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_3 mod 4096;
-      slice3cost_column_0_6_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_6 +
-        slice3cost_column_0_6_choice) mod 4096;
-      slice3cost_column_0_7_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_3 / 4096;
-      slice3cost_column_0_7_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_7 +
-        slice3cost_column_0_7_choice) mod 4096;
-      slice3cost_column_0_8_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_4 mod 4096;
-      slice3cost_column_0_8_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_8 +
-        slice3cost_column_0_8_choice) mod 4096;
-      slice3cost_column_0_9_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_4 / 4096;
-      slice3cost_column_0_9_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_9 +
-        slice3cost_column_0_9_choice) mod 4096;
-      slice3cost_column_0_10_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_5 mod
-        4096;
-      slice3cost_column_0_10_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_10 +
-        slice3cost_column_0_10_choice) mod 4096;
-      slice3cost_column_0_11_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_5 / 4096;
-      slice3cost_column_0_11_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_11 +
-        slice3cost_column_0_11_choice) mod 4096;
-      slice3cost_column_0_12_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_6 mod
-        4096;
-      slice3cost_column_0_12_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_12 +
-        slice3cost_column_0_12_choice) mod 4096;
-      slice3cost_column_0_13_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_6 / 4096;
-      slice3cost_column_0_13_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_13 +
-        slice3cost_column_0_13_choice) mod 4096;
-      slice3cost_column_0_14_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_7 mod
-        4096;
-      slice3cost_column_0_14_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_14 +
-        slice3cost_column_0_14_choice) mod 4096;
-      slice3cost_column_0_15_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_7 / 4096;
-      slice3cost_column_0_15_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_15 +
-        slice3cost_column_0_15_choice) mod 4096;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_0_choice := 0;
+      else
+        slice3cost_column_0_0_choice := slice3cost_ready_words_0 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_0_choice_2 := 0;
+      else
+        slice3cost_column_0_0_choice_2 := (slice3cost_change_0_0 + slice3cost_column_0_0_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_1_choice := 0;
+      else
+        slice3cost_column_0_1_choice := slice3cost_ready_words_0 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_1_choice_2 := 0;
+      else
+        slice3cost_column_0_1_choice_2 := (slice3cost_change_0_1 + slice3cost_column_0_1_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_2_choice := 0;
+      else
+        slice3cost_column_0_2_choice := slice3cost_ready_words_1 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_2_choice_2 := 0;
+      else
+        slice3cost_column_0_2_choice_2 := (slice3cost_change_0_2 + slice3cost_column_0_2_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_3_choice := 0;
+      else
+        slice3cost_column_0_3_choice := slice3cost_ready_words_1 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_3_choice_2 := 0;
+      else
+        slice3cost_column_0_3_choice_2 := (slice3cost_change_0_3 + slice3cost_column_0_3_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_4_choice := 0;
+      else
+        slice3cost_column_0_4_choice := slice3cost_ready_words_2 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_4_choice_2 := 0;
+      else
+        slice3cost_column_0_4_choice_2 := (slice3cost_change_0_4 + slice3cost_column_0_4_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_5_choice := 0;
+      else
+        slice3cost_column_0_5_choice := slice3cost_ready_words_2 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_5_choice_2 := 0;
+      else
+        slice3cost_column_0_5_choice_2 := (slice3cost_change_0_5 + slice3cost_column_0_5_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_6_choice := 0;
+      else
+        slice3cost_column_0_6_choice := slice3cost_ready_words_3 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_6_choice_2 := 0;
+      else
+        slice3cost_column_0_6_choice_2 := (slice3cost_change_0_6 + slice3cost_column_0_6_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_7_choice := 0;
+      else
+        slice3cost_column_0_7_choice := slice3cost_ready_words_3 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_7_choice_2 := 0;
+      else
+        slice3cost_column_0_7_choice_2 := (slice3cost_change_0_7 + slice3cost_column_0_7_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_8_choice := 0;
+      else
+        slice3cost_column_0_8_choice := slice3cost_ready_words_4 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_8_choice_2 := 0;
+      else
+        slice3cost_column_0_8_choice_2 := (slice3cost_change_0_8 + slice3cost_column_0_8_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_9_choice := 0;
+      else
+        slice3cost_column_0_9_choice := slice3cost_ready_words_4 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_9_choice_2 := 0;
+      else
+        slice3cost_column_0_9_choice_2 := (slice3cost_change_0_9 + slice3cost_column_0_9_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_10_choice := 0;
+      else
+        slice3cost_column_0_10_choice := slice3cost_ready_words_5 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_10_choice_2 := 0;
+      else
+        slice3cost_column_0_10_choice_2 := (slice3cost_change_0_10 + slice3cost_column_0_10_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_11_choice := 0;
+      else
+        slice3cost_column_0_11_choice := slice3cost_ready_words_5 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_11_choice_2 := 0;
+      else
+        slice3cost_column_0_11_choice_2 := (slice3cost_change_0_11 + slice3cost_column_0_11_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_12_choice := 0;
+      else
+        slice3cost_column_0_12_choice := slice3cost_ready_words_6 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_12_choice_2 := 0;
+      else
+        slice3cost_column_0_12_choice_2 := (slice3cost_change_0_12 + slice3cost_column_0_12_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_13_choice := 0;
+      else
+        slice3cost_column_0_13_choice := slice3cost_ready_words_6 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_13_choice_2 := 0;
+      else
+        slice3cost_column_0_13_choice_2 := (slice3cost_change_0_13 + slice3cost_column_0_13_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_14_choice := 0;
+      else
+        slice3cost_column_0_14_choice := slice3cost_ready_words_7 mod 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_14_choice_2 := 0;
+      else
+        slice3cost_column_0_14_choice_2 := (slice3cost_change_0_14 + slice3cost_column_0_14_choice) mod 4096;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_15_choice := 0;
+      else
+        slice3cost_column_0_15_choice := slice3cost_ready_words_7 / 4096;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_15_choice_2 := 0;
+      else
+        slice3cost_column_0_15_choice_2 := (slice3cost_change_0_15 + slice3cost_column_0_15_choice) mod 4096;
+      end if;
       slice3cost_pixels_first_0_0 <= slice3shift_search_0_0 - slice3shift_reference_0;
       slice3cost_pixels_first_0_1 <= slice3shift_search_0_1 - slice3shift_reference_0;
       slice3cost_pixels_first_0_2 <= slice3shift_search_0_2 - slice3shift_reference_0;
@@ -3356,9 +4632,12 @@ begin
       end if;
       -- slice3window
       if slice0window_tag_valid then
-        slice3window_ring_read_address <= 0 when slice3window_ring_read_address = 16 else
-          (slice3window_ring_read_address + 1) mod 32;
         slice3window_ring_write_address <= slice3window_ring_read_address;
+        if slice3window_ring_read_address = 16 then
+          slice3window_ring_read_address <= 0;
+        else
+          slice3window_ring_read_address <= (slice3window_ring_read_address + 1) mod 32;
+        end if;
       end if;
       if slice2window_change_tag_leaves_window then
         slice3window_change_0_0_choice := to_integer(slice3window_leaving_0(11 downto 0));
@@ -3472,22 +4751,86 @@ begin
       slice3window_change_0_13 <= slice3window_entering_0_13 - slice3window_change_0_13_choice;
       slice3window_change_0_14 <= slice3window_entering_0_14 - slice3window_change_0_14_choice;
       slice3window_change_0_15 <= slice3window_entering_0_15 - slice3window_change_0_15_choice;
-      slice3window_sum_0_0_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_0;
-      slice3window_sum_0_1_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_1;
-      slice3window_sum_0_2_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_2;
-      slice3window_sum_0_3_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_3;
-      slice3window_sum_0_4_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_4;
-      slice3window_sum_0_5_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_5;
-      slice3window_sum_0_6_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_6;
-      slice3window_sum_0_7_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_7;
-      slice3window_sum_0_8_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_8;
-      slice3window_sum_0_9_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_9;
-      slice3window_sum_0_10_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_10;
-      slice3window_sum_0_11_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_11;
-      slice3window_sum_0_12_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_12;
-      slice3window_sum_0_13_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_13;
-      slice3window_sum_0_14_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_14;
-      slice3window_sum_0_15_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_15;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_0_choice := 0;
+      else
+        slice3window_sum_0_0_choice := slice3window_sum_0_0;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_1_choice := 0;
+      else
+        slice3window_sum_0_1_choice := slice3window_sum_0_1;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_2_choice := 0;
+      else
+        slice3window_sum_0_2_choice := slice3window_sum_0_2;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_3_choice := 0;
+      else
+        slice3window_sum_0_3_choice := slice3window_sum_0_3;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_4_choice := 0;
+      else
+        slice3window_sum_0_4_choice := slice3window_sum_0_4;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_5_choice := 0;
+      else
+        slice3window_sum_0_5_choice := slice3window_sum_0_5;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_6_choice := 0;
+      else
+        slice3window_sum_0_6_choice := slice3window_sum_0_6;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_7_choice := 0;
+      else
+        slice3window_sum_0_7_choice := slice3window_sum_0_7;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_8_choice := 0;
+      else
+        slice3window_sum_0_8_choice := slice3window_sum_0_8;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_9_choice := 0;
+      else
+        slice3window_sum_0_9_choice := slice3window_sum_0_9;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_10_choice := 0;
+      else
+        slice3window_sum_0_10_choice := slice3window_sum_0_10;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_11_choice := 0;
+      else
+        slice3window_sum_0_11_choice := slice3window_sum_0_11;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_12_choice := 0;
+      else
+        slice3window_sum_0_12_choice := slice3window_sum_0_12;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_13_choice := 0;
+      else
+        slice3window_sum_0_13_choice := slice3window_sum_0_13;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_14_choice := 0;
+      else
+        slice3window_sum_0_14_choice := slice3window_sum_0_14;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_15_choice := 0;
+      else
+        slice3window_sum_0_15_choice := slice3window_sum_0_15;
+      end if;
       if slice0winner2_tag_valid then
         slice3window_sum_0_0 <= (slice3window_sum_0_0_choice + slice3window_change_0_0) mod 65536;
         slice3window_sum_0_1 <= (slice3window_sum_0_1_choice + slice3window_change_0_1) mod 65536;
@@ -3529,75 +4872,130 @@ begin
       slice3winner1_best_cost_0_5_is_less := (slice3window_sum_0_11 - slice3window_sum_0_10) < 0;
       slice3winner1_best_cost_0_6_is_less := (slice3window_sum_0_13 - slice3window_sum_0_12) < 0;
       slice3winner1_best_cost_0_7_is_less := (slice3window_sum_0_15 - slice3window_sum_0_14) < 0;
-      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_best_cost_0_0_is_less else
-        slice3window_sum_0_0;
-      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_best_cost_0_1_is_less else
-        slice3window_sum_0_2;
-      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when slice3winner1_best_cost_0_2_is_less else
-        slice3window_sum_0_4;
-      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when slice3winner1_best_cost_0_3_is_less else
-        slice3window_sum_0_6;
-      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when slice3winner1_best_cost_0_4_is_less else
-        slice3window_sum_0_8;
-      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when slice3winner1_best_cost_0_5_is_less else
-        slice3window_sum_0_10;
-      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when slice3winner1_best_cost_0_6_is_less else
-        slice3window_sum_0_12;
-      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when slice3winner1_best_cost_0_7_is_less else
-        slice3window_sum_0_14;
       slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
-      slice3winner1_best_index_0_1 <= 3 when slice3winner1_best_cost_0_1_is_less else 2;
-      slice3winner1_best_index_0_2 <= 5 when slice3winner1_best_cost_0_2_is_less else 4;
-      slice3winner1_best_index_0_3 <= 7 when slice3winner1_best_cost_0_3_is_less else 6;
-      slice3winner1_best_index_0_4 <= 9 when slice3winner1_best_cost_0_4_is_less else 8;
-      slice3winner1_best_index_0_5 <= 11 when slice3winner1_best_cost_0_5_is_less else 10;
-      slice3winner1_best_index_0_6 <= 13 when slice3winner1_best_cost_0_6_is_less else 12;
-      slice3winner1_best_index_0_7 <= 15 when slice3winner1_best_cost_0_7_is_less else 14;
+      if slice3winner1_best_cost_0_0_is_less then
+        slice3winner1_best_cost_0_0 <= slice3window_sum_0_1;
+      else
+        slice3winner1_best_cost_0_0 <= slice3window_sum_0_0;
+      end if;
+      if slice3winner1_best_cost_0_1_is_less then
+        slice3winner1_best_cost_0_1 <= slice3window_sum_0_3;
+        slice3winner1_best_index_0_1 <= 3;
+      else
+        slice3winner1_best_cost_0_1 <= slice3window_sum_0_2;
+        slice3winner1_best_index_0_1 <= 2;
+      end if;
+      if slice3winner1_best_cost_0_2_is_less then
+        slice3winner1_best_cost_0_2 <= slice3window_sum_0_5;
+        slice3winner1_best_index_0_2 <= 5;
+      else
+        slice3winner1_best_cost_0_2 <= slice3window_sum_0_4;
+        slice3winner1_best_index_0_2 <= 4;
+      end if;
+      if slice3winner1_best_cost_0_3_is_less then
+        slice3winner1_best_cost_0_3 <= slice3window_sum_0_7;
+        slice3winner1_best_index_0_3 <= 7;
+      else
+        slice3winner1_best_cost_0_3 <= slice3window_sum_0_6;
+        slice3winner1_best_index_0_3 <= 6;
+      end if;
+      if slice3winner1_best_cost_0_4_is_less then
+        slice3winner1_best_cost_0_4 <= slice3window_sum_0_9;
+        slice3winner1_best_index_0_4 <= 9;
+      else
+        slice3winner1_best_cost_0_4 <= slice3window_sum_0_8;
+        slice3winner1_best_index_0_4 <= 8;
+      end if;
+      if slice3winner1_best_cost_0_5_is_less then
+        slice3winner1_best_cost_0_5 <= slice3window_sum_0_11;
+        slice3winner1_best_index_0_5 <= 11;
+      else
+        slice3winner1_best_cost_0_5 <= slice3window_sum_0_10;
+        slice3winner1_best_index_0_5 <= 10;
+      end if;
+      if slice3winner1_best_cost_0_6_is_less then
+        slice3winner1_best_cost_0_6 <= slice3window_sum_0_13;
+        slice3winner1_best_index_0_6 <= 13;
+      else
+        slice3winner1_best_cost_0_6 <= slice3window_sum_0_12;
+        slice3winner1_best_index_0_6 <= 12;
+      end if;
+      if slice3winner1_best_cost_0_7_is_less then
+        slice3winner1_best_cost_0_7 <= slice3window_sum_0_15;
+        slice3winner1_best_index_0_7 <= 15;
+      else
+        slice3winner1_best_cost_0_7 <= slice3window_sum_0_14;
+        slice3winner1_best_index_0_7 <= 14;
+      end if;
       -- slice3winner2
       slice3winner2_best_cost_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
       slice3winner2_best_cost_0_1_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
       slice3winner2_best_cost_0_2_is_less := (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0;
       slice3winner2_best_cost_0_3_is_less := (slice3winner1_best_cost_0_7 - slice3winner1_best_cost_0_6) < 0;
-      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner2_best_cost_0_0_is_less else
-        slice3winner1_best_cost_0_0;
-      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when slice3winner2_best_cost_0_1_is_less else
-        slice3winner1_best_cost_0_2;
-      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when slice3winner2_best_cost_0_2_is_less else
-        slice3winner1_best_cost_0_4;
-      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when slice3winner2_best_cost_0_3_is_less else
-        slice3winner1_best_cost_0_6;
-      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_cost_0_0_is_less else
-        as_number(slice3winner1_best_index_0_0);
-      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_cost_0_1_is_less else
-        slice3winner1_best_index_0_2;
-      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_cost_0_2_is_less else
-        slice3winner1_best_index_0_4;
-      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7 when slice3winner2_best_cost_0_3_is_less else
-        slice3winner1_best_index_0_6;
+      if slice3winner2_best_cost_0_0_is_less then
+        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1;
+        slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1;
+      else
+        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_0;
+        slice3winner2_best_index_0_0 <= as_number(slice3winner1_best_index_0_0);
+      end if;
+      if slice3winner2_best_cost_0_1_is_less then
+        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3;
+        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3;
+      else
+        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_2;
+        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_2;
+      end if;
+      if slice3winner2_best_cost_0_2_is_less then
+        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5;
+        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5;
+      else
+        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_4;
+        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_4;
+      end if;
+      if slice3winner2_best_cost_0_3_is_less then
+        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7;
+        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7;
+      else
+        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_6;
+        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_6;
+      end if;
       -- slice3winner3
       slice3winner3_best_cost_0_0_is_less := (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0;
       slice3winner3_best_cost_0_1_is_less := (slice3winner2_best_cost_0_3 - slice3winner2_best_cost_0_2) < 0;
-      slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when slice3winner3_best_cost_0_0_is_less else
-        slice3winner2_best_cost_0_0;
-      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when slice3winner3_best_cost_0_1_is_less else
-        slice3winner2_best_cost_0_2;
-      slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_cost_0_0_is_less else
-        slice3winner2_best_index_0_0;
-      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3 when slice3winner3_best_cost_0_1_is_less else
-        slice3winner2_best_index_0_2;
+      if slice3winner3_best_cost_0_0_is_less then
+        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1;
+        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1;
+      else
+        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_0;
+        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_0;
+      end if;
+      if slice3winner3_best_cost_0_1_is_less then
+        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3;
+        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3;
+      else
+        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_2;
+        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_2;
+      end if;
       -- slice3winner4
       slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0_1 - slice3winner3_best_cost_0_0) < 0;
-      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when slice3winner4_best_cost_0_0_is_less else
-        slice3winner3_best_cost_0_0;
-      slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1 when slice3winner4_best_cost_0_0_is_less else
-        slice3winner3_best_index_0_0;
+      if slice3winner4_best_cost_0_0_is_less then
+        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1;
+        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1;
+      else
+        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_0;
+        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_0;
+      end if;
       -- slice3
-      slice3_best_index_0_0 <= slice2_best_index_0_0 when (slice2_best_cost_0_0 - slice3winner4_best_cost_0_0) < 0 else
-        slice3winner4_best_index_0_0;
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
       slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
+      if (slice2_best_cost_0_0 - slice3winner4_best_cost_0_0) < 0 then
+        slice3_best_index_0_0 <= slice2_best_index_0_0;
+      else
+        slice3_best_index_0_0 <= slice3winner4_best_index_0_0;
+      end if;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;

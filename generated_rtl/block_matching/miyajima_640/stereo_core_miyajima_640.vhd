@@ -1595,1934 +1595,3212 @@ architecture rtl of stereo_core_miyajima_640 is
   signal slice7_best_index_0_0 : natural range 0 to 199;
   signal slice7_best_tag_valid, slice7_best_tag_output_column, slice7_best_tag_start_of_frame : boolean;
   signal slice7_best_tag_end_of_line : boolean;
+  signal slice7window_leaving_12_memory_read_enable : boolean;
+  signal slice7window_leaving_12_memory_read_address : unsigned(2 downto 0);
+  signal slice7window_leaving_12_memory_write_address : unsigned(2 downto 0);
   signal slice7window_leaving_12_memory_write_data : unsigned(10 downto 0);
+  signal slice7window_leaving_11_memory_read_enable : boolean;
+  signal slice7window_leaving_11_memory_read_address : unsigned(2 downto 0);
+  signal slice7window_leaving_11_memory_write_address : unsigned(2 downto 0);
   signal slice7window_leaving_11_memory_write_data : unsigned(21 downto 0);
+  signal slice7window_leaving_10_memory_read_enable : boolean;
+  signal slice7window_leaving_10_memory_read_address : unsigned(2 downto 0);
+  signal slice7window_leaving_10_memory_write_address : unsigned(2 downto 0);
   signal slice7window_leaving_10_memory_write_data : unsigned(21 downto 0);
+  signal slice7window_leaving_9_memory_read_enable : boolean;
+  signal slice7window_leaving_9_memory_read_address : unsigned(2 downto 0);
+  signal slice7window_leaving_9_memory_write_address : unsigned(2 downto 0);
   signal slice7window_leaving_9_memory_write_data : unsigned(21 downto 0);
+  signal slice7window_leaving_8_memory_read_enable : boolean;
+  signal slice7window_leaving_8_memory_read_address : unsigned(2 downto 0);
+  signal slice7window_leaving_8_memory_write_address : unsigned(2 downto 0);
   signal slice7window_leaving_8_memory_write_data : unsigned(21 downto 0);
+  signal slice7window_leaving_7_memory_read_enable : boolean;
+  signal slice7window_leaving_7_memory_read_address : unsigned(2 downto 0);
+  signal slice7window_leaving_7_memory_write_address : unsigned(2 downto 0);
   signal slice7window_leaving_7_memory_write_data : unsigned(21 downto 0);
+  signal slice7window_leaving_6_memory_read_enable : boolean;
+  signal slice7window_leaving_6_memory_read_address : unsigned(2 downto 0);
+  signal slice7window_leaving_6_memory_write_address : unsigned(2 downto 0);
   signal slice7window_leaving_6_memory_write_data : unsigned(21 downto 0);
+  signal slice7window_leaving_5_memory_read_enable : boolean;
+  signal slice7window_leaving_5_memory_read_address : unsigned(2 downto 0);
+  signal slice7window_leaving_5_memory_write_address : unsigned(2 downto 0);
   signal slice7window_leaving_5_memory_write_data : unsigned(21 downto 0);
+  signal slice7window_leaving_4_memory_read_enable : boolean;
+  signal slice7window_leaving_4_memory_read_address : unsigned(2 downto 0);
+  signal slice7window_leaving_4_memory_write_address : unsigned(2 downto 0);
   signal slice7window_leaving_4_memory_write_data : unsigned(21 downto 0);
+  signal slice7window_leaving_3_memory_read_enable : boolean;
+  signal slice7window_leaving_3_memory_read_address : unsigned(2 downto 0);
+  signal slice7window_leaving_3_memory_write_address : unsigned(2 downto 0);
   signal slice7window_leaving_3_memory_write_data : unsigned(21 downto 0);
+  signal slice7window_leaving_2_memory_read_enable : boolean;
+  signal slice7window_leaving_2_memory_read_address : unsigned(2 downto 0);
+  signal slice7window_leaving_2_memory_write_address : unsigned(2 downto 0);
   signal slice7window_leaving_2_memory_write_data : unsigned(21 downto 0);
+  signal slice7window_leaving_1_memory_read_enable : boolean;
+  signal slice7window_leaving_1_memory_read_address : unsigned(2 downto 0);
+  signal slice7window_leaving_1_memory_write_address : unsigned(2 downto 0);
   signal slice7window_leaving_1_memory_write_data : unsigned(21 downto 0);
+  signal slice7window_leaving_0_memory_read_enable : boolean;
+  signal slice7window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice7window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice7window_leaving_0_memory_write_data : unsigned(21 downto 0);
+  signal slice7cost_read_words_12_memory_read_enable : boolean;
+  signal slice7cost_read_words_12_memory_read_address : unsigned(9 downto 0);
+  signal slice7cost_read_words_12_memory_write_address : unsigned(9 downto 0);
   signal slice7cost_read_words_12_memory_write_data : unsigned(10 downto 0);
+  signal slice7cost_read_words_11_memory_read_enable : boolean;
+  signal slice7cost_read_words_11_memory_read_address : unsigned(9 downto 0);
+  signal slice7cost_read_words_11_memory_write_address : unsigned(9 downto 0);
   signal slice7cost_read_words_11_memory_write_data : unsigned(21 downto 0);
+  signal slice7cost_read_words_10_memory_read_enable : boolean;
+  signal slice7cost_read_words_10_memory_read_address : unsigned(9 downto 0);
+  signal slice7cost_read_words_10_memory_write_address : unsigned(9 downto 0);
   signal slice7cost_read_words_10_memory_write_data : unsigned(21 downto 0);
+  signal slice7cost_read_words_9_memory_read_enable : boolean;
+  signal slice7cost_read_words_9_memory_read_address : unsigned(9 downto 0);
+  signal slice7cost_read_words_9_memory_write_address : unsigned(9 downto 0);
   signal slice7cost_read_words_9_memory_write_data : unsigned(21 downto 0);
+  signal slice7cost_read_words_8_memory_read_enable : boolean;
+  signal slice7cost_read_words_8_memory_read_address : unsigned(9 downto 0);
+  signal slice7cost_read_words_8_memory_write_address : unsigned(9 downto 0);
   signal slice7cost_read_words_8_memory_write_data : unsigned(21 downto 0);
+  signal slice7cost_read_words_7_memory_read_enable : boolean;
+  signal slice7cost_read_words_7_memory_read_address : unsigned(9 downto 0);
+  signal slice7cost_read_words_7_memory_write_address : unsigned(9 downto 0);
   signal slice7cost_read_words_7_memory_write_data : unsigned(21 downto 0);
+  signal slice7cost_read_words_6_memory_read_enable : boolean;
+  signal slice7cost_read_words_6_memory_read_address : unsigned(9 downto 0);
+  signal slice7cost_read_words_6_memory_write_address : unsigned(9 downto 0);
   signal slice7cost_read_words_6_memory_write_data : unsigned(21 downto 0);
+  signal slice7cost_read_words_5_memory_read_enable : boolean;
+  signal slice7cost_read_words_5_memory_read_address : unsigned(9 downto 0);
+  signal slice7cost_read_words_5_memory_write_address : unsigned(9 downto 0);
   signal slice7cost_read_words_5_memory_write_data : unsigned(21 downto 0);
+  signal slice7cost_read_words_4_memory_read_enable : boolean;
+  signal slice7cost_read_words_4_memory_read_address : unsigned(9 downto 0);
+  signal slice7cost_read_words_4_memory_write_address : unsigned(9 downto 0);
   signal slice7cost_read_words_4_memory_write_data : unsigned(21 downto 0);
+  signal slice7cost_read_words_3_memory_read_enable : boolean;
+  signal slice7cost_read_words_3_memory_read_address : unsigned(9 downto 0);
+  signal slice7cost_read_words_3_memory_write_address : unsigned(9 downto 0);
   signal slice7cost_read_words_3_memory_write_data : unsigned(21 downto 0);
+  signal slice7cost_read_words_2_memory_read_enable : boolean;
+  signal slice7cost_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal slice7cost_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal slice7cost_read_words_2_memory_write_data : unsigned(21 downto 0);
+  signal slice7cost_read_words_1_memory_read_enable : boolean;
+  signal slice7cost_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal slice7cost_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal slice7cost_read_words_1_memory_write_data : unsigned(21 downto 0);
+  signal slice7cost_read_words_0_memory_read_enable : boolean;
+  signal slice7cost_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal slice7cost_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal slice7cost_read_words_0_memory_write_data : unsigned(21 downto 0);
+  signal slice6window_leaving_12_memory_read_enable : boolean;
+  signal slice6window_leaving_12_memory_read_address : unsigned(2 downto 0);
+  signal slice6window_leaving_12_memory_write_address : unsigned(2 downto 0);
   signal slice6window_leaving_12_memory_write_data : unsigned(10 downto 0);
+  signal slice6window_leaving_11_memory_read_enable : boolean;
+  signal slice6window_leaving_11_memory_read_address : unsigned(2 downto 0);
+  signal slice6window_leaving_11_memory_write_address : unsigned(2 downto 0);
   signal slice6window_leaving_11_memory_write_data : unsigned(21 downto 0);
+  signal slice6window_leaving_10_memory_read_enable : boolean;
+  signal slice6window_leaving_10_memory_read_address : unsigned(2 downto 0);
+  signal slice6window_leaving_10_memory_write_address : unsigned(2 downto 0);
   signal slice6window_leaving_10_memory_write_data : unsigned(21 downto 0);
+  signal slice6window_leaving_9_memory_read_enable : boolean;
+  signal slice6window_leaving_9_memory_read_address : unsigned(2 downto 0);
+  signal slice6window_leaving_9_memory_write_address : unsigned(2 downto 0);
   signal slice6window_leaving_9_memory_write_data : unsigned(21 downto 0);
+  signal slice6window_leaving_8_memory_read_enable : boolean;
+  signal slice6window_leaving_8_memory_read_address : unsigned(2 downto 0);
+  signal slice6window_leaving_8_memory_write_address : unsigned(2 downto 0);
   signal slice6window_leaving_8_memory_write_data : unsigned(21 downto 0);
+  signal slice6window_leaving_7_memory_read_enable : boolean;
+  signal slice6window_leaving_7_memory_read_address : unsigned(2 downto 0);
+  signal slice6window_leaving_7_memory_write_address : unsigned(2 downto 0);
   signal slice6window_leaving_7_memory_write_data : unsigned(21 downto 0);
+  signal slice6window_leaving_6_memory_read_enable : boolean;
+  signal slice6window_leaving_6_memory_read_address : unsigned(2 downto 0);
+  signal slice6window_leaving_6_memory_write_address : unsigned(2 downto 0);
   signal slice6window_leaving_6_memory_write_data : unsigned(21 downto 0);
+  signal slice6window_leaving_5_memory_read_enable : boolean;
+  signal slice6window_leaving_5_memory_read_address : unsigned(2 downto 0);
+  signal slice6window_leaving_5_memory_write_address : unsigned(2 downto 0);
   signal slice6window_leaving_5_memory_write_data : unsigned(21 downto 0);
+  signal slice6window_leaving_4_memory_read_enable : boolean;
+  signal slice6window_leaving_4_memory_read_address : unsigned(2 downto 0);
+  signal slice6window_leaving_4_memory_write_address : unsigned(2 downto 0);
   signal slice6window_leaving_4_memory_write_data : unsigned(21 downto 0);
+  signal slice6window_leaving_3_memory_read_enable : boolean;
+  signal slice6window_leaving_3_memory_read_address : unsigned(2 downto 0);
+  signal slice6window_leaving_3_memory_write_address : unsigned(2 downto 0);
   signal slice6window_leaving_3_memory_write_data : unsigned(21 downto 0);
+  signal slice6window_leaving_2_memory_read_enable : boolean;
+  signal slice6window_leaving_2_memory_read_address : unsigned(2 downto 0);
+  signal slice6window_leaving_2_memory_write_address : unsigned(2 downto 0);
   signal slice6window_leaving_2_memory_write_data : unsigned(21 downto 0);
+  signal slice6window_leaving_1_memory_read_enable : boolean;
+  signal slice6window_leaving_1_memory_read_address : unsigned(2 downto 0);
+  signal slice6window_leaving_1_memory_write_address : unsigned(2 downto 0);
   signal slice6window_leaving_1_memory_write_data : unsigned(21 downto 0);
+  signal slice6window_leaving_0_memory_read_enable : boolean;
+  signal slice6window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice6window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice6window_leaving_0_memory_write_data : unsigned(21 downto 0);
+  signal slice6cost_read_words_12_memory_read_enable : boolean;
+  signal slice6cost_read_words_12_memory_read_address : unsigned(9 downto 0);
+  signal slice6cost_read_words_12_memory_write_address : unsigned(9 downto 0);
   signal slice6cost_read_words_12_memory_write_data : unsigned(10 downto 0);
+  signal slice6cost_read_words_11_memory_read_enable : boolean;
+  signal slice6cost_read_words_11_memory_read_address : unsigned(9 downto 0);
+  signal slice6cost_read_words_11_memory_write_address : unsigned(9 downto 0);
   signal slice6cost_read_words_11_memory_write_data : unsigned(21 downto 0);
+  signal slice6cost_read_words_10_memory_read_enable : boolean;
+  signal slice6cost_read_words_10_memory_read_address : unsigned(9 downto 0);
+  signal slice6cost_read_words_10_memory_write_address : unsigned(9 downto 0);
   signal slice6cost_read_words_10_memory_write_data : unsigned(21 downto 0);
+  signal slice6cost_read_words_9_memory_read_enable : boolean;
+  signal slice6cost_read_words_9_memory_read_address : unsigned(9 downto 0);
+  signal slice6cost_read_words_9_memory_write_address : unsigned(9 downto 0);
   signal slice6cost_read_words_9_memory_write_data : unsigned(21 downto 0);
+  signal slice6cost_read_words_8_memory_read_enable : boolean;
+  signal slice6cost_read_words_8_memory_read_address : unsigned(9 downto 0);
+  signal slice6cost_read_words_8_memory_write_address : unsigned(9 downto 0);
   signal slice6cost_read_words_8_memory_write_data : unsigned(21 downto 0);
+  signal slice6cost_read_words_7_memory_read_enable : boolean;
+  signal slice6cost_read_words_7_memory_read_address : unsigned(9 downto 0);
+  signal slice6cost_read_words_7_memory_write_address : unsigned(9 downto 0);
   signal slice6cost_read_words_7_memory_write_data : unsigned(21 downto 0);
+  signal slice6cost_read_words_6_memory_read_enable : boolean;
+  signal slice6cost_read_words_6_memory_read_address : unsigned(9 downto 0);
+  signal slice6cost_read_words_6_memory_write_address : unsigned(9 downto 0);
   signal slice6cost_read_words_6_memory_write_data : unsigned(21 downto 0);
+  signal slice6cost_read_words_5_memory_read_enable : boolean;
+  signal slice6cost_read_words_5_memory_read_address : unsigned(9 downto 0);
+  signal slice6cost_read_words_5_memory_write_address : unsigned(9 downto 0);
   signal slice6cost_read_words_5_memory_write_data : unsigned(21 downto 0);
+  signal slice6cost_read_words_4_memory_read_enable : boolean;
+  signal slice6cost_read_words_4_memory_read_address : unsigned(9 downto 0);
+  signal slice6cost_read_words_4_memory_write_address : unsigned(9 downto 0);
   signal slice6cost_read_words_4_memory_write_data : unsigned(21 downto 0);
+  signal slice6cost_read_words_3_memory_read_enable : boolean;
+  signal slice6cost_read_words_3_memory_read_address : unsigned(9 downto 0);
+  signal slice6cost_read_words_3_memory_write_address : unsigned(9 downto 0);
   signal slice6cost_read_words_3_memory_write_data : unsigned(21 downto 0);
+  signal slice6cost_read_words_2_memory_read_enable : boolean;
+  signal slice6cost_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal slice6cost_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal slice6cost_read_words_2_memory_write_data : unsigned(21 downto 0);
+  signal slice6cost_read_words_1_memory_read_enable : boolean;
+  signal slice6cost_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal slice6cost_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal slice6cost_read_words_1_memory_write_data : unsigned(21 downto 0);
+  signal slice6cost_read_words_0_memory_read_enable : boolean;
+  signal slice6cost_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal slice6cost_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal slice6cost_read_words_0_memory_write_data : unsigned(21 downto 0);
+  signal slice5window_leaving_12_memory_read_enable : boolean;
+  signal slice5window_leaving_12_memory_read_address : unsigned(2 downto 0);
+  signal slice5window_leaving_12_memory_write_address : unsigned(2 downto 0);
   signal slice5window_leaving_12_memory_write_data : unsigned(10 downto 0);
+  signal slice5window_leaving_11_memory_read_enable : boolean;
+  signal slice5window_leaving_11_memory_read_address : unsigned(2 downto 0);
+  signal slice5window_leaving_11_memory_write_address : unsigned(2 downto 0);
   signal slice5window_leaving_11_memory_write_data : unsigned(21 downto 0);
+  signal slice5window_leaving_10_memory_read_enable : boolean;
+  signal slice5window_leaving_10_memory_read_address : unsigned(2 downto 0);
+  signal slice5window_leaving_10_memory_write_address : unsigned(2 downto 0);
   signal slice5window_leaving_10_memory_write_data : unsigned(21 downto 0);
+  signal slice5window_leaving_9_memory_read_enable : boolean;
+  signal slice5window_leaving_9_memory_read_address : unsigned(2 downto 0);
+  signal slice5window_leaving_9_memory_write_address : unsigned(2 downto 0);
   signal slice5window_leaving_9_memory_write_data : unsigned(21 downto 0);
+  signal slice5window_leaving_8_memory_read_enable : boolean;
+  signal slice5window_leaving_8_memory_read_address : unsigned(2 downto 0);
+  signal slice5window_leaving_8_memory_write_address : unsigned(2 downto 0);
   signal slice5window_leaving_8_memory_write_data : unsigned(21 downto 0);
+  signal slice5window_leaving_7_memory_read_enable : boolean;
+  signal slice5window_leaving_7_memory_read_address : unsigned(2 downto 0);
+  signal slice5window_leaving_7_memory_write_address : unsigned(2 downto 0);
   signal slice5window_leaving_7_memory_write_data : unsigned(21 downto 0);
+  signal slice5window_leaving_6_memory_read_enable : boolean;
+  signal slice5window_leaving_6_memory_read_address : unsigned(2 downto 0);
+  signal slice5window_leaving_6_memory_write_address : unsigned(2 downto 0);
   signal slice5window_leaving_6_memory_write_data : unsigned(21 downto 0);
+  signal slice5window_leaving_5_memory_read_enable : boolean;
+  signal slice5window_leaving_5_memory_read_address : unsigned(2 downto 0);
+  signal slice5window_leaving_5_memory_write_address : unsigned(2 downto 0);
   signal slice5window_leaving_5_memory_write_data : unsigned(21 downto 0);
+  signal slice5window_leaving_4_memory_read_enable : boolean;
+  signal slice5window_leaving_4_memory_read_address : unsigned(2 downto 0);
+  signal slice5window_leaving_4_memory_write_address : unsigned(2 downto 0);
   signal slice5window_leaving_4_memory_write_data : unsigned(21 downto 0);
+  signal slice5window_leaving_3_memory_read_enable : boolean;
+  signal slice5window_leaving_3_memory_read_address : unsigned(2 downto 0);
+  signal slice5window_leaving_3_memory_write_address : unsigned(2 downto 0);
   signal slice5window_leaving_3_memory_write_data : unsigned(21 downto 0);
+  signal slice5window_leaving_2_memory_read_enable : boolean;
+  signal slice5window_leaving_2_memory_read_address : unsigned(2 downto 0);
+  signal slice5window_leaving_2_memory_write_address : unsigned(2 downto 0);
   signal slice5window_leaving_2_memory_write_data : unsigned(21 downto 0);
+  signal slice5window_leaving_1_memory_read_enable : boolean;
+  signal slice5window_leaving_1_memory_read_address : unsigned(2 downto 0);
+  signal slice5window_leaving_1_memory_write_address : unsigned(2 downto 0);
   signal slice5window_leaving_1_memory_write_data : unsigned(21 downto 0);
+  signal slice5window_leaving_0_memory_read_enable : boolean;
+  signal slice5window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice5window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice5window_leaving_0_memory_write_data : unsigned(21 downto 0);
+  signal slice5cost_read_words_12_memory_read_enable : boolean;
+  signal slice5cost_read_words_12_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_12_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_12_memory_write_data : unsigned(10 downto 0);
+  signal slice5cost_read_words_11_memory_read_enable : boolean;
+  signal slice5cost_read_words_11_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_11_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_11_memory_write_data : unsigned(21 downto 0);
+  signal slice5cost_read_words_10_memory_read_enable : boolean;
+  signal slice5cost_read_words_10_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_10_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_10_memory_write_data : unsigned(21 downto 0);
+  signal slice5cost_read_words_9_memory_read_enable : boolean;
+  signal slice5cost_read_words_9_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_9_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_9_memory_write_data : unsigned(21 downto 0);
+  signal slice5cost_read_words_8_memory_read_enable : boolean;
+  signal slice5cost_read_words_8_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_8_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_8_memory_write_data : unsigned(21 downto 0);
+  signal slice5cost_read_words_7_memory_read_enable : boolean;
+  signal slice5cost_read_words_7_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_7_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_7_memory_write_data : unsigned(21 downto 0);
+  signal slice5cost_read_words_6_memory_read_enable : boolean;
+  signal slice5cost_read_words_6_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_6_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_6_memory_write_data : unsigned(21 downto 0);
+  signal slice5cost_read_words_5_memory_read_enable : boolean;
+  signal slice5cost_read_words_5_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_5_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_5_memory_write_data : unsigned(21 downto 0);
+  signal slice5cost_read_words_4_memory_read_enable : boolean;
+  signal slice5cost_read_words_4_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_4_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_4_memory_write_data : unsigned(21 downto 0);
+  signal slice5cost_read_words_3_memory_read_enable : boolean;
+  signal slice5cost_read_words_3_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_3_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_3_memory_write_data : unsigned(21 downto 0);
+  signal slice5cost_read_words_2_memory_read_enable : boolean;
+  signal slice5cost_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_2_memory_write_data : unsigned(21 downto 0);
+  signal slice5cost_read_words_1_memory_read_enable : boolean;
+  signal slice5cost_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_1_memory_write_data : unsigned(21 downto 0);
+  signal slice5cost_read_words_0_memory_read_enable : boolean;
+  signal slice5cost_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal slice5cost_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal slice5cost_read_words_0_memory_write_data : unsigned(21 downto 0);
+  signal slice4window_leaving_12_memory_read_enable : boolean;
+  signal slice4window_leaving_12_memory_read_address : unsigned(2 downto 0);
+  signal slice4window_leaving_12_memory_write_address : unsigned(2 downto 0);
   signal slice4window_leaving_12_memory_write_data : unsigned(10 downto 0);
+  signal slice4window_leaving_11_memory_read_enable : boolean;
+  signal slice4window_leaving_11_memory_read_address : unsigned(2 downto 0);
+  signal slice4window_leaving_11_memory_write_address : unsigned(2 downto 0);
   signal slice4window_leaving_11_memory_write_data : unsigned(21 downto 0);
+  signal slice4window_leaving_10_memory_read_enable : boolean;
+  signal slice4window_leaving_10_memory_read_address : unsigned(2 downto 0);
+  signal slice4window_leaving_10_memory_write_address : unsigned(2 downto 0);
   signal slice4window_leaving_10_memory_write_data : unsigned(21 downto 0);
+  signal slice4window_leaving_9_memory_read_enable : boolean;
+  signal slice4window_leaving_9_memory_read_address : unsigned(2 downto 0);
+  signal slice4window_leaving_9_memory_write_address : unsigned(2 downto 0);
   signal slice4window_leaving_9_memory_write_data : unsigned(21 downto 0);
+  signal slice4window_leaving_8_memory_read_enable : boolean;
+  signal slice4window_leaving_8_memory_read_address : unsigned(2 downto 0);
+  signal slice4window_leaving_8_memory_write_address : unsigned(2 downto 0);
   signal slice4window_leaving_8_memory_write_data : unsigned(21 downto 0);
+  signal slice4window_leaving_7_memory_read_enable : boolean;
+  signal slice4window_leaving_7_memory_read_address : unsigned(2 downto 0);
+  signal slice4window_leaving_7_memory_write_address : unsigned(2 downto 0);
   signal slice4window_leaving_7_memory_write_data : unsigned(21 downto 0);
+  signal slice4window_leaving_6_memory_read_enable : boolean;
+  signal slice4window_leaving_6_memory_read_address : unsigned(2 downto 0);
+  signal slice4window_leaving_6_memory_write_address : unsigned(2 downto 0);
   signal slice4window_leaving_6_memory_write_data : unsigned(21 downto 0);
+  signal slice4window_leaving_5_memory_read_enable : boolean;
+  signal slice4window_leaving_5_memory_read_address : unsigned(2 downto 0);
+  signal slice4window_leaving_5_memory_write_address : unsigned(2 downto 0);
   signal slice4window_leaving_5_memory_write_data : unsigned(21 downto 0);
+  signal slice4window_leaving_4_memory_read_enable : boolean;
+  signal slice4window_leaving_4_memory_read_address : unsigned(2 downto 0);
+  signal slice4window_leaving_4_memory_write_address : unsigned(2 downto 0);
   signal slice4window_leaving_4_memory_write_data : unsigned(21 downto 0);
+  signal slice4window_leaving_3_memory_read_enable : boolean;
+  signal slice4window_leaving_3_memory_read_address : unsigned(2 downto 0);
+  signal slice4window_leaving_3_memory_write_address : unsigned(2 downto 0);
   signal slice4window_leaving_3_memory_write_data : unsigned(21 downto 0);
+  signal slice4window_leaving_2_memory_read_enable : boolean;
+  signal slice4window_leaving_2_memory_read_address : unsigned(2 downto 0);
+  signal slice4window_leaving_2_memory_write_address : unsigned(2 downto 0);
   signal slice4window_leaving_2_memory_write_data : unsigned(21 downto 0);
+  signal slice4window_leaving_1_memory_read_enable : boolean;
+  signal slice4window_leaving_1_memory_read_address : unsigned(2 downto 0);
+  signal slice4window_leaving_1_memory_write_address : unsigned(2 downto 0);
   signal slice4window_leaving_1_memory_write_data : unsigned(21 downto 0);
+  signal slice4window_leaving_0_memory_read_enable : boolean;
+  signal slice4window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice4window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice4window_leaving_0_memory_write_data : unsigned(21 downto 0);
+  signal slice4cost_read_words_12_memory_read_enable : boolean;
+  signal slice4cost_read_words_12_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_12_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_12_memory_write_data : unsigned(10 downto 0);
+  signal slice4cost_read_words_11_memory_read_enable : boolean;
+  signal slice4cost_read_words_11_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_11_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_11_memory_write_data : unsigned(21 downto 0);
+  signal slice4cost_read_words_10_memory_read_enable : boolean;
+  signal slice4cost_read_words_10_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_10_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_10_memory_write_data : unsigned(21 downto 0);
+  signal slice4cost_read_words_9_memory_read_enable : boolean;
+  signal slice4cost_read_words_9_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_9_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_9_memory_write_data : unsigned(21 downto 0);
+  signal slice4cost_read_words_8_memory_read_enable : boolean;
+  signal slice4cost_read_words_8_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_8_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_8_memory_write_data : unsigned(21 downto 0);
+  signal slice4cost_read_words_7_memory_read_enable : boolean;
+  signal slice4cost_read_words_7_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_7_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_7_memory_write_data : unsigned(21 downto 0);
+  signal slice4cost_read_words_6_memory_read_enable : boolean;
+  signal slice4cost_read_words_6_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_6_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_6_memory_write_data : unsigned(21 downto 0);
+  signal slice4cost_read_words_5_memory_read_enable : boolean;
+  signal slice4cost_read_words_5_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_5_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_5_memory_write_data : unsigned(21 downto 0);
+  signal slice4cost_read_words_4_memory_read_enable : boolean;
+  signal slice4cost_read_words_4_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_4_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_4_memory_write_data : unsigned(21 downto 0);
+  signal slice4cost_read_words_3_memory_read_enable : boolean;
+  signal slice4cost_read_words_3_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_3_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_3_memory_write_data : unsigned(21 downto 0);
+  signal slice4cost_read_words_2_memory_read_enable : boolean;
+  signal slice4cost_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_2_memory_write_data : unsigned(21 downto 0);
+  signal slice4cost_read_words_1_memory_read_enable : boolean;
+  signal slice4cost_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_1_memory_write_data : unsigned(21 downto 0);
+  signal slice4cost_read_words_0_memory_read_enable : boolean;
+  signal slice4cost_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal slice4cost_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal slice4cost_read_words_0_memory_write_data : unsigned(21 downto 0);
+  signal slice3window_leaving_12_memory_read_enable : boolean;
+  signal slice3window_leaving_12_memory_read_address : unsigned(2 downto 0);
+  signal slice3window_leaving_12_memory_write_address : unsigned(2 downto 0);
   signal slice3window_leaving_12_memory_write_data : unsigned(10 downto 0);
+  signal slice3window_leaving_11_memory_read_enable : boolean;
+  signal slice3window_leaving_11_memory_read_address : unsigned(2 downto 0);
+  signal slice3window_leaving_11_memory_write_address : unsigned(2 downto 0);
   signal slice3window_leaving_11_memory_write_data : unsigned(21 downto 0);
+  signal slice3window_leaving_10_memory_read_enable : boolean;
+  signal slice3window_leaving_10_memory_read_address : unsigned(2 downto 0);
+  signal slice3window_leaving_10_memory_write_address : unsigned(2 downto 0);
   signal slice3window_leaving_10_memory_write_data : unsigned(21 downto 0);
+  signal slice3window_leaving_9_memory_read_enable : boolean;
+  signal slice3window_leaving_9_memory_read_address : unsigned(2 downto 0);
+  signal slice3window_leaving_9_memory_write_address : unsigned(2 downto 0);
   signal slice3window_leaving_9_memory_write_data : unsigned(21 downto 0);
+  signal slice3window_leaving_8_memory_read_enable : boolean;
+  signal slice3window_leaving_8_memory_read_address : unsigned(2 downto 0);
+  signal slice3window_leaving_8_memory_write_address : unsigned(2 downto 0);
   signal slice3window_leaving_8_memory_write_data : unsigned(21 downto 0);
+  signal slice3window_leaving_7_memory_read_enable : boolean;
+  signal slice3window_leaving_7_memory_read_address : unsigned(2 downto 0);
+  signal slice3window_leaving_7_memory_write_address : unsigned(2 downto 0);
   signal slice3window_leaving_7_memory_write_data : unsigned(21 downto 0);
+  signal slice3window_leaving_6_memory_read_enable : boolean;
+  signal slice3window_leaving_6_memory_read_address : unsigned(2 downto 0);
+  signal slice3window_leaving_6_memory_write_address : unsigned(2 downto 0);
   signal slice3window_leaving_6_memory_write_data : unsigned(21 downto 0);
+  signal slice3window_leaving_5_memory_read_enable : boolean;
+  signal slice3window_leaving_5_memory_read_address : unsigned(2 downto 0);
+  signal slice3window_leaving_5_memory_write_address : unsigned(2 downto 0);
   signal slice3window_leaving_5_memory_write_data : unsigned(21 downto 0);
+  signal slice3window_leaving_4_memory_read_enable : boolean;
+  signal slice3window_leaving_4_memory_read_address : unsigned(2 downto 0);
+  signal slice3window_leaving_4_memory_write_address : unsigned(2 downto 0);
   signal slice3window_leaving_4_memory_write_data : unsigned(21 downto 0);
+  signal slice3window_leaving_3_memory_read_enable : boolean;
+  signal slice3window_leaving_3_memory_read_address : unsigned(2 downto 0);
+  signal slice3window_leaving_3_memory_write_address : unsigned(2 downto 0);
   signal slice3window_leaving_3_memory_write_data : unsigned(21 downto 0);
+  signal slice3window_leaving_2_memory_read_enable : boolean;
+  signal slice3window_leaving_2_memory_read_address : unsigned(2 downto 0);
+  signal slice3window_leaving_2_memory_write_address : unsigned(2 downto 0);
   signal slice3window_leaving_2_memory_write_data : unsigned(21 downto 0);
+  signal slice3window_leaving_1_memory_read_enable : boolean;
+  signal slice3window_leaving_1_memory_read_address : unsigned(2 downto 0);
+  signal slice3window_leaving_1_memory_write_address : unsigned(2 downto 0);
   signal slice3window_leaving_1_memory_write_data : unsigned(21 downto 0);
+  signal slice3window_leaving_0_memory_read_enable : boolean;
+  signal slice3window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice3window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice3window_leaving_0_memory_write_data : unsigned(21 downto 0);
+  signal slice3cost_read_words_12_memory_read_enable : boolean;
+  signal slice3cost_read_words_12_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_12_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_12_memory_write_data : unsigned(10 downto 0);
+  signal slice3cost_read_words_11_memory_read_enable : boolean;
+  signal slice3cost_read_words_11_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_11_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_11_memory_write_data : unsigned(21 downto 0);
+  signal slice3cost_read_words_10_memory_read_enable : boolean;
+  signal slice3cost_read_words_10_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_10_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_10_memory_write_data : unsigned(21 downto 0);
+  signal slice3cost_read_words_9_memory_read_enable : boolean;
+  signal slice3cost_read_words_9_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_9_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_9_memory_write_data : unsigned(21 downto 0);
+  signal slice3cost_read_words_8_memory_read_enable : boolean;
+  signal slice3cost_read_words_8_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_8_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_8_memory_write_data : unsigned(21 downto 0);
+  signal slice3cost_read_words_7_memory_read_enable : boolean;
+  signal slice3cost_read_words_7_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_7_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_7_memory_write_data : unsigned(21 downto 0);
+  signal slice3cost_read_words_6_memory_read_enable : boolean;
+  signal slice3cost_read_words_6_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_6_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_6_memory_write_data : unsigned(21 downto 0);
+  signal slice3cost_read_words_5_memory_read_enable : boolean;
+  signal slice3cost_read_words_5_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_5_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_5_memory_write_data : unsigned(21 downto 0);
+  signal slice3cost_read_words_4_memory_read_enable : boolean;
+  signal slice3cost_read_words_4_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_4_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_4_memory_write_data : unsigned(21 downto 0);
+  signal slice3cost_read_words_3_memory_read_enable : boolean;
+  signal slice3cost_read_words_3_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_3_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_3_memory_write_data : unsigned(21 downto 0);
+  signal slice3cost_read_words_2_memory_read_enable : boolean;
+  signal slice3cost_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_2_memory_write_data : unsigned(21 downto 0);
+  signal slice3cost_read_words_1_memory_read_enable : boolean;
+  signal slice3cost_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_1_memory_write_data : unsigned(21 downto 0);
+  signal slice3cost_read_words_0_memory_read_enable : boolean;
+  signal slice3cost_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal slice3cost_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal slice3cost_read_words_0_memory_write_data : unsigned(21 downto 0);
+  signal slice2window_leaving_12_memory_read_enable : boolean;
+  signal slice2window_leaving_12_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_12_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_12_memory_write_data : unsigned(10 downto 0);
+  signal slice2window_leaving_11_memory_read_enable : boolean;
+  signal slice2window_leaving_11_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_11_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_11_memory_write_data : unsigned(21 downto 0);
+  signal slice2window_leaving_10_memory_read_enable : boolean;
+  signal slice2window_leaving_10_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_10_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_10_memory_write_data : unsigned(21 downto 0);
+  signal slice2window_leaving_9_memory_read_enable : boolean;
+  signal slice2window_leaving_9_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_9_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_9_memory_write_data : unsigned(21 downto 0);
+  signal slice2window_leaving_8_memory_read_enable : boolean;
+  signal slice2window_leaving_8_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_8_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_8_memory_write_data : unsigned(21 downto 0);
+  signal slice2window_leaving_7_memory_read_enable : boolean;
+  signal slice2window_leaving_7_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_7_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_7_memory_write_data : unsigned(21 downto 0);
+  signal slice2window_leaving_6_memory_read_enable : boolean;
+  signal slice2window_leaving_6_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_6_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_6_memory_write_data : unsigned(21 downto 0);
+  signal slice2window_leaving_5_memory_read_enable : boolean;
+  signal slice2window_leaving_5_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_5_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_5_memory_write_data : unsigned(21 downto 0);
+  signal slice2window_leaving_4_memory_read_enable : boolean;
+  signal slice2window_leaving_4_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_4_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_4_memory_write_data : unsigned(21 downto 0);
+  signal slice2window_leaving_3_memory_read_enable : boolean;
+  signal slice2window_leaving_3_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_3_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_3_memory_write_data : unsigned(21 downto 0);
+  signal slice2window_leaving_2_memory_read_enable : boolean;
+  signal slice2window_leaving_2_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_2_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_2_memory_write_data : unsigned(21 downto 0);
+  signal slice2window_leaving_1_memory_read_enable : boolean;
+  signal slice2window_leaving_1_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_1_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_1_memory_write_data : unsigned(21 downto 0);
+  signal slice2window_leaving_0_memory_read_enable : boolean;
+  signal slice2window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_0_memory_write_data : unsigned(21 downto 0);
+  signal slice2cost_read_words_12_memory_read_enable : boolean;
+  signal slice2cost_read_words_12_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_12_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_12_memory_write_data : unsigned(10 downto 0);
+  signal slice2cost_read_words_11_memory_read_enable : boolean;
+  signal slice2cost_read_words_11_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_11_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_11_memory_write_data : unsigned(21 downto 0);
+  signal slice2cost_read_words_10_memory_read_enable : boolean;
+  signal slice2cost_read_words_10_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_10_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_10_memory_write_data : unsigned(21 downto 0);
+  signal slice2cost_read_words_9_memory_read_enable : boolean;
+  signal slice2cost_read_words_9_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_9_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_9_memory_write_data : unsigned(21 downto 0);
+  signal slice2cost_read_words_8_memory_read_enable : boolean;
+  signal slice2cost_read_words_8_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_8_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_8_memory_write_data : unsigned(21 downto 0);
+  signal slice2cost_read_words_7_memory_read_enable : boolean;
+  signal slice2cost_read_words_7_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_7_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_7_memory_write_data : unsigned(21 downto 0);
+  signal slice2cost_read_words_6_memory_read_enable : boolean;
+  signal slice2cost_read_words_6_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_6_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_6_memory_write_data : unsigned(21 downto 0);
+  signal slice2cost_read_words_5_memory_read_enable : boolean;
+  signal slice2cost_read_words_5_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_5_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_5_memory_write_data : unsigned(21 downto 0);
+  signal slice2cost_read_words_4_memory_read_enable : boolean;
+  signal slice2cost_read_words_4_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_4_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_4_memory_write_data : unsigned(21 downto 0);
+  signal slice2cost_read_words_3_memory_read_enable : boolean;
+  signal slice2cost_read_words_3_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_3_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_3_memory_write_data : unsigned(21 downto 0);
+  signal slice2cost_read_words_2_memory_read_enable : boolean;
+  signal slice2cost_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_2_memory_write_data : unsigned(21 downto 0);
+  signal slice2cost_read_words_1_memory_read_enable : boolean;
+  signal slice2cost_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_1_memory_write_data : unsigned(21 downto 0);
+  signal slice2cost_read_words_0_memory_read_enable : boolean;
+  signal slice2cost_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal slice2cost_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal slice2cost_read_words_0_memory_write_data : unsigned(21 downto 0);
+  signal slice1window_leaving_12_memory_read_enable : boolean;
+  signal slice1window_leaving_12_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_12_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_12_memory_write_data : unsigned(10 downto 0);
+  signal slice1window_leaving_11_memory_read_enable : boolean;
+  signal slice1window_leaving_11_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_11_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_11_memory_write_data : unsigned(21 downto 0);
+  signal slice1window_leaving_10_memory_read_enable : boolean;
+  signal slice1window_leaving_10_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_10_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_10_memory_write_data : unsigned(21 downto 0);
+  signal slice1window_leaving_9_memory_read_enable : boolean;
+  signal slice1window_leaving_9_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_9_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_9_memory_write_data : unsigned(21 downto 0);
+  signal slice1window_leaving_8_memory_read_enable : boolean;
+  signal slice1window_leaving_8_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_8_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_8_memory_write_data : unsigned(21 downto 0);
+  signal slice1window_leaving_7_memory_read_enable : boolean;
+  signal slice1window_leaving_7_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_7_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_7_memory_write_data : unsigned(21 downto 0);
+  signal slice1window_leaving_6_memory_read_enable : boolean;
+  signal slice1window_leaving_6_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_6_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_6_memory_write_data : unsigned(21 downto 0);
+  signal slice1window_leaving_5_memory_read_enable : boolean;
+  signal slice1window_leaving_5_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_5_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_5_memory_write_data : unsigned(21 downto 0);
+  signal slice1window_leaving_4_memory_read_enable : boolean;
+  signal slice1window_leaving_4_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_4_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_4_memory_write_data : unsigned(21 downto 0);
+  signal slice1window_leaving_3_memory_read_enable : boolean;
+  signal slice1window_leaving_3_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_3_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_3_memory_write_data : unsigned(21 downto 0);
+  signal slice1window_leaving_2_memory_read_enable : boolean;
+  signal slice1window_leaving_2_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_2_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_2_memory_write_data : unsigned(21 downto 0);
+  signal slice1window_leaving_1_memory_read_enable : boolean;
+  signal slice1window_leaving_1_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_1_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_1_memory_write_data : unsigned(21 downto 0);
+  signal slice1window_leaving_0_memory_read_enable : boolean;
+  signal slice1window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(21 downto 0);
+  signal slice1cost_read_words_12_memory_read_enable : boolean;
+  signal slice1cost_read_words_12_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_12_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_12_memory_write_data : unsigned(10 downto 0);
+  signal slice1cost_read_words_11_memory_read_enable : boolean;
+  signal slice1cost_read_words_11_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_11_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_11_memory_write_data : unsigned(21 downto 0);
+  signal slice1cost_read_words_10_memory_read_enable : boolean;
+  signal slice1cost_read_words_10_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_10_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_10_memory_write_data : unsigned(21 downto 0);
+  signal slice1cost_read_words_9_memory_read_enable : boolean;
+  signal slice1cost_read_words_9_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_9_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_9_memory_write_data : unsigned(21 downto 0);
+  signal slice1cost_read_words_8_memory_read_enable : boolean;
+  signal slice1cost_read_words_8_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_8_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_8_memory_write_data : unsigned(21 downto 0);
+  signal slice1cost_read_words_7_memory_read_enable : boolean;
+  signal slice1cost_read_words_7_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_7_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_7_memory_write_data : unsigned(21 downto 0);
+  signal slice1cost_read_words_6_memory_read_enable : boolean;
+  signal slice1cost_read_words_6_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_6_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_6_memory_write_data : unsigned(21 downto 0);
+  signal slice1cost_read_words_5_memory_read_enable : boolean;
+  signal slice1cost_read_words_5_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_5_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_5_memory_write_data : unsigned(21 downto 0);
+  signal slice1cost_read_words_4_memory_read_enable : boolean;
+  signal slice1cost_read_words_4_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_4_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_4_memory_write_data : unsigned(21 downto 0);
+  signal slice1cost_read_words_3_memory_read_enable : boolean;
+  signal slice1cost_read_words_3_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_3_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_3_memory_write_data : unsigned(21 downto 0);
+  signal slice1cost_read_words_2_memory_read_enable : boolean;
+  signal slice1cost_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_2_memory_write_data : unsigned(21 downto 0);
+  signal slice1cost_read_words_1_memory_read_enable : boolean;
+  signal slice1cost_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_1_memory_write_data : unsigned(21 downto 0);
+  signal slice1cost_read_words_0_memory_read_enable : boolean;
+  signal slice1cost_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal slice1cost_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal slice1cost_read_words_0_memory_write_data : unsigned(21 downto 0);
+  signal slice0window_leaving_12_memory_read_enable : boolean;
+  signal slice0window_leaving_12_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_12_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_12_memory_write_data : unsigned(10 downto 0);
+  signal slice0window_leaving_11_memory_read_enable : boolean;
+  signal slice0window_leaving_11_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_11_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_11_memory_write_data : unsigned(21 downto 0);
+  signal slice0window_leaving_10_memory_read_enable : boolean;
+  signal slice0window_leaving_10_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_10_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_10_memory_write_data : unsigned(21 downto 0);
+  signal slice0window_leaving_9_memory_read_enable : boolean;
+  signal slice0window_leaving_9_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_9_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_9_memory_write_data : unsigned(21 downto 0);
+  signal slice0window_leaving_8_memory_read_enable : boolean;
+  signal slice0window_leaving_8_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_8_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_8_memory_write_data : unsigned(21 downto 0);
+  signal slice0window_leaving_7_memory_read_enable : boolean;
+  signal slice0window_leaving_7_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_7_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_7_memory_write_data : unsigned(21 downto 0);
+  signal slice0window_leaving_6_memory_read_enable : boolean;
+  signal slice0window_leaving_6_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_6_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_6_memory_write_data : unsigned(21 downto 0);
+  signal slice0window_leaving_5_memory_read_enable : boolean;
+  signal slice0window_leaving_5_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_5_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_5_memory_write_data : unsigned(21 downto 0);
+  signal slice0window_leaving_4_memory_read_enable : boolean;
+  signal slice0window_leaving_4_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_4_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_4_memory_write_data : unsigned(21 downto 0);
+  signal slice0window_leaving_3_memory_read_enable : boolean;
+  signal slice0window_leaving_3_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_3_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_3_memory_write_data : unsigned(21 downto 0);
+  signal slice0window_leaving_2_memory_read_enable : boolean;
+  signal slice0window_leaving_2_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_2_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_2_memory_write_data : unsigned(21 downto 0);
+  signal slice0window_leaving_1_memory_read_enable : boolean;
+  signal slice0window_leaving_1_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_1_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_1_memory_write_data : unsigned(21 downto 0);
+  signal slice0window_leaving_0_memory_read_enable : boolean;
+  signal slice0window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(21 downto 0);
+  signal slice0cost_read_words_12_memory_read_enable : boolean;
+  signal slice0cost_read_words_12_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_12_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_12_memory_write_data : unsigned(10 downto 0);
+  signal slice0cost_read_words_11_memory_read_enable : boolean;
+  signal slice0cost_read_words_11_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_11_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_11_memory_write_data : unsigned(21 downto 0);
+  signal slice0cost_read_words_10_memory_read_enable : boolean;
+  signal slice0cost_read_words_10_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_10_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_10_memory_write_data : unsigned(21 downto 0);
+  signal slice0cost_read_words_9_memory_read_enable : boolean;
+  signal slice0cost_read_words_9_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_9_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_9_memory_write_data : unsigned(21 downto 0);
+  signal slice0cost_read_words_8_memory_read_enable : boolean;
+  signal slice0cost_read_words_8_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_8_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_8_memory_write_data : unsigned(21 downto 0);
+  signal slice0cost_read_words_7_memory_read_enable : boolean;
+  signal slice0cost_read_words_7_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_7_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_7_memory_write_data : unsigned(21 downto 0);
+  signal slice0cost_read_words_6_memory_read_enable : boolean;
+  signal slice0cost_read_words_6_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_6_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_6_memory_write_data : unsigned(21 downto 0);
+  signal slice0cost_read_words_5_memory_read_enable : boolean;
+  signal slice0cost_read_words_5_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_5_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_5_memory_write_data : unsigned(21 downto 0);
+  signal slice0cost_read_words_4_memory_read_enable : boolean;
+  signal slice0cost_read_words_4_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_4_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_4_memory_write_data : unsigned(21 downto 0);
+  signal slice0cost_read_words_3_memory_read_enable : boolean;
+  signal slice0cost_read_words_3_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_3_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_3_memory_write_data : unsigned(21 downto 0);
+  signal slice0cost_read_words_2_memory_read_enable : boolean;
+  signal slice0cost_read_words_2_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_2_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_2_memory_write_data : unsigned(21 downto 0);
+  signal slice0cost_read_words_1_memory_read_enable : boolean;
+  signal slice0cost_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_1_memory_write_data : unsigned(21 downto 0);
+  signal slice0cost_read_words_0_memory_read_enable : boolean;
+  signal slice0cost_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal slice0cost_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(21 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(9 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(9 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(9 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(9 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(7 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(7 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(slice7_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(1, 1));
   disparity_valid <= as_bit(slice7_best_tag_valid and slice7_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice7_best_tag_start_of_frame and slice7_best_tag_valid and slice7_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice7_best_tag_end_of_line and slice7_best_tag_valid and slice7_best_tag_output_column);
 
+  slice7window_leaving_12_memory_read_enable <= true;
+  slice7window_leaving_12_memory_read_address <= to_unsigned(slice7window_ring_read_address, 3);
+  slice7window_leaving_12_memory_write_address <= to_unsigned(slice7window_ring_write_address, 3);
   slice7window_leaving_12_memory_write_data <= to_unsigned(slice7cost_column_0_24, 11);
   slice7window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 8, width => 11)
+    generic map (depth => 8, width => 11, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice7window_ring_read_address, read_data => slice7window_leaving_12,
-      write_address => slice7window_ring_write_address, write_data => slice7window_leaving_12_memory_write_data);
+      clock => clock, read_enable => slice7window_leaving_12_memory_read_enable,
+      read_address => slice7window_leaving_12_memory_read_address, read_data => slice7window_leaving_12,
+      write_address => slice7window_leaving_12_memory_write_address, write_data => slice7window_leaving_12_memory_write_data);
 
+  slice7window_leaving_11_memory_read_enable <= true;
+  slice7window_leaving_11_memory_read_address <= to_unsigned(slice7window_ring_read_address, 3);
+  slice7window_leaving_11_memory_write_address <= to_unsigned(slice7window_ring_write_address, 3);
   slice7window_leaving_11_memory_write_data <= to_unsigned(slice7cost_column_0_23, 11) & to_unsigned(slice7cost_column_0_22, 11);
   slice7window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice7window_ring_read_address, read_data => slice7window_leaving_11,
-      write_address => slice7window_ring_write_address, write_data => slice7window_leaving_11_memory_write_data);
+      clock => clock, read_enable => slice7window_leaving_11_memory_read_enable,
+      read_address => slice7window_leaving_11_memory_read_address, read_data => slice7window_leaving_11,
+      write_address => slice7window_leaving_11_memory_write_address, write_data => slice7window_leaving_11_memory_write_data);
 
+  slice7window_leaving_10_memory_read_enable <= true;
+  slice7window_leaving_10_memory_read_address <= to_unsigned(slice7window_ring_read_address, 3);
+  slice7window_leaving_10_memory_write_address <= to_unsigned(slice7window_ring_write_address, 3);
   slice7window_leaving_10_memory_write_data <= to_unsigned(slice7cost_column_0_21, 11) & to_unsigned(slice7cost_column_0_20, 11);
   slice7window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice7window_ring_read_address, read_data => slice7window_leaving_10,
-      write_address => slice7window_ring_write_address, write_data => slice7window_leaving_10_memory_write_data);
+      clock => clock, read_enable => slice7window_leaving_10_memory_read_enable,
+      read_address => slice7window_leaving_10_memory_read_address, read_data => slice7window_leaving_10,
+      write_address => slice7window_leaving_10_memory_write_address, write_data => slice7window_leaving_10_memory_write_data);
 
+  slice7window_leaving_9_memory_read_enable <= true;
+  slice7window_leaving_9_memory_read_address <= to_unsigned(slice7window_ring_read_address, 3);
+  slice7window_leaving_9_memory_write_address <= to_unsigned(slice7window_ring_write_address, 3);
   slice7window_leaving_9_memory_write_data <= to_unsigned(slice7cost_column_0_19, 11) & to_unsigned(slice7cost_column_0_18, 11);
   slice7window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice7window_ring_read_address, read_data => slice7window_leaving_9,
-      write_address => slice7window_ring_write_address, write_data => slice7window_leaving_9_memory_write_data);
+      clock => clock, read_enable => slice7window_leaving_9_memory_read_enable,
+      read_address => slice7window_leaving_9_memory_read_address, read_data => slice7window_leaving_9,
+      write_address => slice7window_leaving_9_memory_write_address, write_data => slice7window_leaving_9_memory_write_data);
 
+  slice7window_leaving_8_memory_read_enable <= true;
+  slice7window_leaving_8_memory_read_address <= to_unsigned(slice7window_ring_read_address, 3);
+  slice7window_leaving_8_memory_write_address <= to_unsigned(slice7window_ring_write_address, 3);
   slice7window_leaving_8_memory_write_data <= to_unsigned(slice7cost_column_0_17, 11) & to_unsigned(slice7cost_column_0_16, 11);
   slice7window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice7window_ring_read_address, read_data => slice7window_leaving_8,
-      write_address => slice7window_ring_write_address, write_data => slice7window_leaving_8_memory_write_data);
+      clock => clock, read_enable => slice7window_leaving_8_memory_read_enable,
+      read_address => slice7window_leaving_8_memory_read_address, read_data => slice7window_leaving_8,
+      write_address => slice7window_leaving_8_memory_write_address, write_data => slice7window_leaving_8_memory_write_data);
 
+  slice7window_leaving_7_memory_read_enable <= true;
+  slice7window_leaving_7_memory_read_address <= to_unsigned(slice7window_ring_read_address, 3);
+  slice7window_leaving_7_memory_write_address <= to_unsigned(slice7window_ring_write_address, 3);
   slice7window_leaving_7_memory_write_data <= to_unsigned(slice7cost_column_0_15, 11) & to_unsigned(slice7cost_column_0_14, 11);
   slice7window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice7window_ring_read_address, read_data => slice7window_leaving_7,
-      write_address => slice7window_ring_write_address, write_data => slice7window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice7window_leaving_7_memory_read_enable,
+      read_address => slice7window_leaving_7_memory_read_address, read_data => slice7window_leaving_7,
+      write_address => slice7window_leaving_7_memory_write_address, write_data => slice7window_leaving_7_memory_write_data);
 
+  slice7window_leaving_6_memory_read_enable <= true;
+  slice7window_leaving_6_memory_read_address <= to_unsigned(slice7window_ring_read_address, 3);
+  slice7window_leaving_6_memory_write_address <= to_unsigned(slice7window_ring_write_address, 3);
   slice7window_leaving_6_memory_write_data <= to_unsigned(slice7cost_column_0_13, 11) & to_unsigned(slice7cost_column_0_12, 11);
   slice7window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice7window_ring_read_address, read_data => slice7window_leaving_6,
-      write_address => slice7window_ring_write_address, write_data => slice7window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice7window_leaving_6_memory_read_enable,
+      read_address => slice7window_leaving_6_memory_read_address, read_data => slice7window_leaving_6,
+      write_address => slice7window_leaving_6_memory_write_address, write_data => slice7window_leaving_6_memory_write_data);
 
+  slice7window_leaving_5_memory_read_enable <= true;
+  slice7window_leaving_5_memory_read_address <= to_unsigned(slice7window_ring_read_address, 3);
+  slice7window_leaving_5_memory_write_address <= to_unsigned(slice7window_ring_write_address, 3);
   slice7window_leaving_5_memory_write_data <= to_unsigned(slice7cost_column_0_11, 11) & to_unsigned(slice7cost_column_0_10, 11);
   slice7window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice7window_ring_read_address, read_data => slice7window_leaving_5,
-      write_address => slice7window_ring_write_address, write_data => slice7window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice7window_leaving_5_memory_read_enable,
+      read_address => slice7window_leaving_5_memory_read_address, read_data => slice7window_leaving_5,
+      write_address => slice7window_leaving_5_memory_write_address, write_data => slice7window_leaving_5_memory_write_data);
 
+  slice7window_leaving_4_memory_read_enable <= true;
+  slice7window_leaving_4_memory_read_address <= to_unsigned(slice7window_ring_read_address, 3);
+  slice7window_leaving_4_memory_write_address <= to_unsigned(slice7window_ring_write_address, 3);
   slice7window_leaving_4_memory_write_data <= to_unsigned(slice7cost_column_0_9, 11) & to_unsigned(slice7cost_column_0_8, 11);
   slice7window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice7window_ring_read_address, read_data => slice7window_leaving_4,
-      write_address => slice7window_ring_write_address, write_data => slice7window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice7window_leaving_4_memory_read_enable,
+      read_address => slice7window_leaving_4_memory_read_address, read_data => slice7window_leaving_4,
+      write_address => slice7window_leaving_4_memory_write_address, write_data => slice7window_leaving_4_memory_write_data);
 
+  slice7window_leaving_3_memory_read_enable <= true;
+  slice7window_leaving_3_memory_read_address <= to_unsigned(slice7window_ring_read_address, 3);
+  slice7window_leaving_3_memory_write_address <= to_unsigned(slice7window_ring_write_address, 3);
   slice7window_leaving_3_memory_write_data <= to_unsigned(slice7cost_column_0_7, 11) & to_unsigned(slice7cost_column_0_6, 11);
   slice7window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice7window_ring_read_address, read_data => slice7window_leaving_3,
-      write_address => slice7window_ring_write_address, write_data => slice7window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice7window_leaving_3_memory_read_enable,
+      read_address => slice7window_leaving_3_memory_read_address, read_data => slice7window_leaving_3,
+      write_address => slice7window_leaving_3_memory_write_address, write_data => slice7window_leaving_3_memory_write_data);
 
+  slice7window_leaving_2_memory_read_enable <= true;
+  slice7window_leaving_2_memory_read_address <= to_unsigned(slice7window_ring_read_address, 3);
+  slice7window_leaving_2_memory_write_address <= to_unsigned(slice7window_ring_write_address, 3);
   slice7window_leaving_2_memory_write_data <= to_unsigned(slice7cost_column_0_5, 11) & to_unsigned(slice7cost_column_0_4, 11);
   slice7window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice7window_ring_read_address, read_data => slice7window_leaving_2,
-      write_address => slice7window_ring_write_address, write_data => slice7window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice7window_leaving_2_memory_read_enable,
+      read_address => slice7window_leaving_2_memory_read_address, read_data => slice7window_leaving_2,
+      write_address => slice7window_leaving_2_memory_write_address, write_data => slice7window_leaving_2_memory_write_data);
 
+  slice7window_leaving_1_memory_read_enable <= true;
+  slice7window_leaving_1_memory_read_address <= to_unsigned(slice7window_ring_read_address, 3);
+  slice7window_leaving_1_memory_write_address <= to_unsigned(slice7window_ring_write_address, 3);
   slice7window_leaving_1_memory_write_data <= to_unsigned(slice7cost_column_0_3, 11) & to_unsigned(slice7cost_column_0_2, 11);
   slice7window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice7window_ring_read_address, read_data => slice7window_leaving_1,
-      write_address => slice7window_ring_write_address, write_data => slice7window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice7window_leaving_1_memory_read_enable,
+      read_address => slice7window_leaving_1_memory_read_address, read_data => slice7window_leaving_1,
+      write_address => slice7window_leaving_1_memory_write_address, write_data => slice7window_leaving_1_memory_write_data);
 
+  slice7window_leaving_0_memory_read_enable <= true;
+  slice7window_leaving_0_memory_read_address <= to_unsigned(slice7window_ring_read_address, 3);
+  slice7window_leaving_0_memory_write_address <= to_unsigned(slice7window_ring_write_address, 3);
   slice7window_leaving_0_memory_write_data <= to_unsigned(slice7cost_column_0_1, 11) & to_unsigned(slice7cost_column_0_0, 11);
   slice7window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice7window_ring_read_address, read_data => slice7window_leaving_0,
-      write_address => slice7window_ring_write_address, write_data => slice7window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice7window_leaving_0_memory_read_enable,
+      read_address => slice7window_leaving_0_memory_read_address, read_data => slice7window_leaving_0,
+      write_address => slice7window_leaving_0_memory_write_address, write_data => slice7window_leaving_0_memory_write_data);
 
+  slice7cost_read_words_12_memory_read_enable <= true;
+  slice7cost_read_words_12_memory_read_address <= to_unsigned(slice6cost_change_column, 10);
+  slice7cost_read_words_12_memory_write_address <= to_unsigned(slice7cost_write_column, 10);
   slice7cost_read_words_12_memory_write_data <= to_unsigned(slice7cost_write_words_12, 11);
   slice7cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 640, width => 11)
+    generic map (depth => 640, width => 11, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_change_column, read_data => slice7cost_read_words_12,
-      write_address => slice7cost_write_column, write_data => slice7cost_read_words_12_memory_write_data);
+      clock => clock, read_enable => slice7cost_read_words_12_memory_read_enable,
+      read_address => slice7cost_read_words_12_memory_read_address, read_data => slice7cost_read_words_12,
+      write_address => slice7cost_read_words_12_memory_write_address, write_data => slice7cost_read_words_12_memory_write_data);
 
+  slice7cost_read_words_11_memory_read_enable <= true;
+  slice7cost_read_words_11_memory_read_address <= to_unsigned(slice6cost_change_column, 10);
+  slice7cost_read_words_11_memory_write_address <= to_unsigned(slice7cost_write_column, 10);
   slice7cost_read_words_11_memory_write_data <= to_unsigned(slice7cost_write_words_11, 22);
   slice7cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_change_column, read_data => slice7cost_read_words_11,
-      write_address => slice7cost_write_column, write_data => slice7cost_read_words_11_memory_write_data);
+      clock => clock, read_enable => slice7cost_read_words_11_memory_read_enable,
+      read_address => slice7cost_read_words_11_memory_read_address, read_data => slice7cost_read_words_11,
+      write_address => slice7cost_read_words_11_memory_write_address, write_data => slice7cost_read_words_11_memory_write_data);
 
+  slice7cost_read_words_10_memory_read_enable <= true;
+  slice7cost_read_words_10_memory_read_address <= to_unsigned(slice6cost_change_column, 10);
+  slice7cost_read_words_10_memory_write_address <= to_unsigned(slice7cost_write_column, 10);
   slice7cost_read_words_10_memory_write_data <= to_unsigned(slice7cost_write_words_10, 22);
   slice7cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_change_column, read_data => slice7cost_read_words_10,
-      write_address => slice7cost_write_column, write_data => slice7cost_read_words_10_memory_write_data);
+      clock => clock, read_enable => slice7cost_read_words_10_memory_read_enable,
+      read_address => slice7cost_read_words_10_memory_read_address, read_data => slice7cost_read_words_10,
+      write_address => slice7cost_read_words_10_memory_write_address, write_data => slice7cost_read_words_10_memory_write_data);
 
+  slice7cost_read_words_9_memory_read_enable <= true;
+  slice7cost_read_words_9_memory_read_address <= to_unsigned(slice6cost_change_column, 10);
+  slice7cost_read_words_9_memory_write_address <= to_unsigned(slice7cost_write_column, 10);
   slice7cost_read_words_9_memory_write_data <= to_unsigned(slice7cost_write_words_9, 22);
   slice7cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_change_column, read_data => slice7cost_read_words_9,
-      write_address => slice7cost_write_column, write_data => slice7cost_read_words_9_memory_write_data);
+      clock => clock, read_enable => slice7cost_read_words_9_memory_read_enable,
+      read_address => slice7cost_read_words_9_memory_read_address, read_data => slice7cost_read_words_9,
+      write_address => slice7cost_read_words_9_memory_write_address, write_data => slice7cost_read_words_9_memory_write_data);
 
+  slice7cost_read_words_8_memory_read_enable <= true;
+  slice7cost_read_words_8_memory_read_address <= to_unsigned(slice6cost_change_column, 10);
+  slice7cost_read_words_8_memory_write_address <= to_unsigned(slice7cost_write_column, 10);
   slice7cost_read_words_8_memory_write_data <= to_unsigned(slice7cost_write_words_8, 22);
   slice7cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_change_column, read_data => slice7cost_read_words_8,
-      write_address => slice7cost_write_column, write_data => slice7cost_read_words_8_memory_write_data);
+      clock => clock, read_enable => slice7cost_read_words_8_memory_read_enable,
+      read_address => slice7cost_read_words_8_memory_read_address, read_data => slice7cost_read_words_8,
+      write_address => slice7cost_read_words_8_memory_write_address, write_data => slice7cost_read_words_8_memory_write_data);
 
+  slice7cost_read_words_7_memory_read_enable <= true;
+  slice7cost_read_words_7_memory_read_address <= to_unsigned(slice6cost_change_column, 10);
+  slice7cost_read_words_7_memory_write_address <= to_unsigned(slice7cost_write_column, 10);
   slice7cost_read_words_7_memory_write_data <= to_unsigned(slice7cost_write_words_7, 22);
   slice7cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_change_column, read_data => slice7cost_read_words_7,
-      write_address => slice7cost_write_column, write_data => slice7cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice7cost_read_words_7_memory_read_enable,
+      read_address => slice7cost_read_words_7_memory_read_address, read_data => slice7cost_read_words_7,
+      write_address => slice7cost_read_words_7_memory_write_address, write_data => slice7cost_read_words_7_memory_write_data);
 
+  slice7cost_read_words_6_memory_read_enable <= true;
+  slice7cost_read_words_6_memory_read_address <= to_unsigned(slice6cost_change_column, 10);
+  slice7cost_read_words_6_memory_write_address <= to_unsigned(slice7cost_write_column, 10);
   slice7cost_read_words_6_memory_write_data <= to_unsigned(slice7cost_write_words_6, 22);
   slice7cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_change_column, read_data => slice7cost_read_words_6,
-      write_address => slice7cost_write_column, write_data => slice7cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice7cost_read_words_6_memory_read_enable,
+      read_address => slice7cost_read_words_6_memory_read_address, read_data => slice7cost_read_words_6,
+      write_address => slice7cost_read_words_6_memory_write_address, write_data => slice7cost_read_words_6_memory_write_data);
 
+  slice7cost_read_words_5_memory_read_enable <= true;
+  slice7cost_read_words_5_memory_read_address <= to_unsigned(slice6cost_change_column, 10);
+  slice7cost_read_words_5_memory_write_address <= to_unsigned(slice7cost_write_column, 10);
   slice7cost_read_words_5_memory_write_data <= to_unsigned(slice7cost_write_words_5, 22);
   slice7cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_change_column, read_data => slice7cost_read_words_5,
-      write_address => slice7cost_write_column, write_data => slice7cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice7cost_read_words_5_memory_read_enable,
+      read_address => slice7cost_read_words_5_memory_read_address, read_data => slice7cost_read_words_5,
+      write_address => slice7cost_read_words_5_memory_write_address, write_data => slice7cost_read_words_5_memory_write_data);
 
+  slice7cost_read_words_4_memory_read_enable <= true;
+  slice7cost_read_words_4_memory_read_address <= to_unsigned(slice6cost_change_column, 10);
+  slice7cost_read_words_4_memory_write_address <= to_unsigned(slice7cost_write_column, 10);
   slice7cost_read_words_4_memory_write_data <= to_unsigned(slice7cost_write_words_4, 22);
   slice7cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_change_column, read_data => slice7cost_read_words_4,
-      write_address => slice7cost_write_column, write_data => slice7cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice7cost_read_words_4_memory_read_enable,
+      read_address => slice7cost_read_words_4_memory_read_address, read_data => slice7cost_read_words_4,
+      write_address => slice7cost_read_words_4_memory_write_address, write_data => slice7cost_read_words_4_memory_write_data);
 
+  slice7cost_read_words_3_memory_read_enable <= true;
+  slice7cost_read_words_3_memory_read_address <= to_unsigned(slice6cost_change_column, 10);
+  slice7cost_read_words_3_memory_write_address <= to_unsigned(slice7cost_write_column, 10);
   slice7cost_read_words_3_memory_write_data <= to_unsigned(slice7cost_write_words_3, 22);
   slice7cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_change_column, read_data => slice7cost_read_words_3,
-      write_address => slice7cost_write_column, write_data => slice7cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice7cost_read_words_3_memory_read_enable,
+      read_address => slice7cost_read_words_3_memory_read_address, read_data => slice7cost_read_words_3,
+      write_address => slice7cost_read_words_3_memory_write_address, write_data => slice7cost_read_words_3_memory_write_data);
 
+  slice7cost_read_words_2_memory_read_enable <= true;
+  slice7cost_read_words_2_memory_read_address <= to_unsigned(slice6cost_change_column, 10);
+  slice7cost_read_words_2_memory_write_address <= to_unsigned(slice7cost_write_column, 10);
   slice7cost_read_words_2_memory_write_data <= to_unsigned(slice7cost_write_words_2, 22);
   slice7cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_change_column, read_data => slice7cost_read_words_2,
-      write_address => slice7cost_write_column, write_data => slice7cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice7cost_read_words_2_memory_read_enable,
+      read_address => slice7cost_read_words_2_memory_read_address, read_data => slice7cost_read_words_2,
+      write_address => slice7cost_read_words_2_memory_write_address, write_data => slice7cost_read_words_2_memory_write_data);
 
+  slice7cost_read_words_1_memory_read_enable <= true;
+  slice7cost_read_words_1_memory_read_address <= to_unsigned(slice6cost_change_column, 10);
+  slice7cost_read_words_1_memory_write_address <= to_unsigned(slice7cost_write_column, 10);
   slice7cost_read_words_1_memory_write_data <= to_unsigned(slice7cost_write_words_1, 22);
   slice7cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_change_column, read_data => slice7cost_read_words_1,
-      write_address => slice7cost_write_column, write_data => slice7cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice7cost_read_words_1_memory_read_enable,
+      read_address => slice7cost_read_words_1_memory_read_address, read_data => slice7cost_read_words_1,
+      write_address => slice7cost_read_words_1_memory_write_address, write_data => slice7cost_read_words_1_memory_write_data);
 
+  slice7cost_read_words_0_memory_read_enable <= true;
+  slice7cost_read_words_0_memory_read_address <= to_unsigned(slice6cost_change_column, 10);
+  slice7cost_read_words_0_memory_write_address <= to_unsigned(slice7cost_write_column, 10);
   slice7cost_read_words_0_memory_write_data <= to_unsigned(slice7cost_write_words_0, 22);
   slice7cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_change_column, read_data => slice7cost_read_words_0,
-      write_address => slice7cost_write_column, write_data => slice7cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice7cost_read_words_0_memory_read_enable,
+      read_address => slice7cost_read_words_0_memory_read_address, read_data => slice7cost_read_words_0,
+      write_address => slice7cost_read_words_0_memory_write_address, write_data => slice7cost_read_words_0_memory_write_data);
 
+  slice6window_leaving_12_memory_read_enable <= true;
+  slice6window_leaving_12_memory_read_address <= to_unsigned(slice6window_ring_read_address, 3);
+  slice6window_leaving_12_memory_write_address <= to_unsigned(slice6window_ring_write_address, 3);
   slice6window_leaving_12_memory_write_data <= to_unsigned(slice6cost_column_0_24, 11);
   slice6window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 8, width => 11)
+    generic map (depth => 8, width => 11, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6window_ring_read_address, read_data => slice6window_leaving_12,
-      write_address => slice6window_ring_write_address, write_data => slice6window_leaving_12_memory_write_data);
+      clock => clock, read_enable => slice6window_leaving_12_memory_read_enable,
+      read_address => slice6window_leaving_12_memory_read_address, read_data => slice6window_leaving_12,
+      write_address => slice6window_leaving_12_memory_write_address, write_data => slice6window_leaving_12_memory_write_data);
 
+  slice6window_leaving_11_memory_read_enable <= true;
+  slice6window_leaving_11_memory_read_address <= to_unsigned(slice6window_ring_read_address, 3);
+  slice6window_leaving_11_memory_write_address <= to_unsigned(slice6window_ring_write_address, 3);
   slice6window_leaving_11_memory_write_data <= to_unsigned(slice6cost_column_0_23, 11) & to_unsigned(slice6cost_column_0_22, 11);
   slice6window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6window_ring_read_address, read_data => slice6window_leaving_11,
-      write_address => slice6window_ring_write_address, write_data => slice6window_leaving_11_memory_write_data);
+      clock => clock, read_enable => slice6window_leaving_11_memory_read_enable,
+      read_address => slice6window_leaving_11_memory_read_address, read_data => slice6window_leaving_11,
+      write_address => slice6window_leaving_11_memory_write_address, write_data => slice6window_leaving_11_memory_write_data);
 
+  slice6window_leaving_10_memory_read_enable <= true;
+  slice6window_leaving_10_memory_read_address <= to_unsigned(slice6window_ring_read_address, 3);
+  slice6window_leaving_10_memory_write_address <= to_unsigned(slice6window_ring_write_address, 3);
   slice6window_leaving_10_memory_write_data <= to_unsigned(slice6cost_column_0_21, 11) & to_unsigned(slice6cost_column_0_20, 11);
   slice6window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6window_ring_read_address, read_data => slice6window_leaving_10,
-      write_address => slice6window_ring_write_address, write_data => slice6window_leaving_10_memory_write_data);
+      clock => clock, read_enable => slice6window_leaving_10_memory_read_enable,
+      read_address => slice6window_leaving_10_memory_read_address, read_data => slice6window_leaving_10,
+      write_address => slice6window_leaving_10_memory_write_address, write_data => slice6window_leaving_10_memory_write_data);
 
+  slice6window_leaving_9_memory_read_enable <= true;
+  slice6window_leaving_9_memory_read_address <= to_unsigned(slice6window_ring_read_address, 3);
+  slice6window_leaving_9_memory_write_address <= to_unsigned(slice6window_ring_write_address, 3);
   slice6window_leaving_9_memory_write_data <= to_unsigned(slice6cost_column_0_19, 11) & to_unsigned(slice6cost_column_0_18, 11);
   slice6window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6window_ring_read_address, read_data => slice6window_leaving_9,
-      write_address => slice6window_ring_write_address, write_data => slice6window_leaving_9_memory_write_data);
+      clock => clock, read_enable => slice6window_leaving_9_memory_read_enable,
+      read_address => slice6window_leaving_9_memory_read_address, read_data => slice6window_leaving_9,
+      write_address => slice6window_leaving_9_memory_write_address, write_data => slice6window_leaving_9_memory_write_data);
 
+  slice6window_leaving_8_memory_read_enable <= true;
+  slice6window_leaving_8_memory_read_address <= to_unsigned(slice6window_ring_read_address, 3);
+  slice6window_leaving_8_memory_write_address <= to_unsigned(slice6window_ring_write_address, 3);
   slice6window_leaving_8_memory_write_data <= to_unsigned(slice6cost_column_0_17, 11) & to_unsigned(slice6cost_column_0_16, 11);
   slice6window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6window_ring_read_address, read_data => slice6window_leaving_8,
-      write_address => slice6window_ring_write_address, write_data => slice6window_leaving_8_memory_write_data);
+      clock => clock, read_enable => slice6window_leaving_8_memory_read_enable,
+      read_address => slice6window_leaving_8_memory_read_address, read_data => slice6window_leaving_8,
+      write_address => slice6window_leaving_8_memory_write_address, write_data => slice6window_leaving_8_memory_write_data);
 
+  slice6window_leaving_7_memory_read_enable <= true;
+  slice6window_leaving_7_memory_read_address <= to_unsigned(slice6window_ring_read_address, 3);
+  slice6window_leaving_7_memory_write_address <= to_unsigned(slice6window_ring_write_address, 3);
   slice6window_leaving_7_memory_write_data <= to_unsigned(slice6cost_column_0_15, 11) & to_unsigned(slice6cost_column_0_14, 11);
   slice6window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6window_ring_read_address, read_data => slice6window_leaving_7,
-      write_address => slice6window_ring_write_address, write_data => slice6window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice6window_leaving_7_memory_read_enable,
+      read_address => slice6window_leaving_7_memory_read_address, read_data => slice6window_leaving_7,
+      write_address => slice6window_leaving_7_memory_write_address, write_data => slice6window_leaving_7_memory_write_data);
 
+  slice6window_leaving_6_memory_read_enable <= true;
+  slice6window_leaving_6_memory_read_address <= to_unsigned(slice6window_ring_read_address, 3);
+  slice6window_leaving_6_memory_write_address <= to_unsigned(slice6window_ring_write_address, 3);
   slice6window_leaving_6_memory_write_data <= to_unsigned(slice6cost_column_0_13, 11) & to_unsigned(slice6cost_column_0_12, 11);
   slice6window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6window_ring_read_address, read_data => slice6window_leaving_6,
-      write_address => slice6window_ring_write_address, write_data => slice6window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice6window_leaving_6_memory_read_enable,
+      read_address => slice6window_leaving_6_memory_read_address, read_data => slice6window_leaving_6,
+      write_address => slice6window_leaving_6_memory_write_address, write_data => slice6window_leaving_6_memory_write_data);
 
+  slice6window_leaving_5_memory_read_enable <= true;
+  slice6window_leaving_5_memory_read_address <= to_unsigned(slice6window_ring_read_address, 3);
+  slice6window_leaving_5_memory_write_address <= to_unsigned(slice6window_ring_write_address, 3);
   slice6window_leaving_5_memory_write_data <= to_unsigned(slice6cost_column_0_11, 11) & to_unsigned(slice6cost_column_0_10, 11);
   slice6window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6window_ring_read_address, read_data => slice6window_leaving_5,
-      write_address => slice6window_ring_write_address, write_data => slice6window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice6window_leaving_5_memory_read_enable,
+      read_address => slice6window_leaving_5_memory_read_address, read_data => slice6window_leaving_5,
+      write_address => slice6window_leaving_5_memory_write_address, write_data => slice6window_leaving_5_memory_write_data);
 
+  slice6window_leaving_4_memory_read_enable <= true;
+  slice6window_leaving_4_memory_read_address <= to_unsigned(slice6window_ring_read_address, 3);
+  slice6window_leaving_4_memory_write_address <= to_unsigned(slice6window_ring_write_address, 3);
   slice6window_leaving_4_memory_write_data <= to_unsigned(slice6cost_column_0_9, 11) & to_unsigned(slice6cost_column_0_8, 11);
   slice6window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6window_ring_read_address, read_data => slice6window_leaving_4,
-      write_address => slice6window_ring_write_address, write_data => slice6window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice6window_leaving_4_memory_read_enable,
+      read_address => slice6window_leaving_4_memory_read_address, read_data => slice6window_leaving_4,
+      write_address => slice6window_leaving_4_memory_write_address, write_data => slice6window_leaving_4_memory_write_data);
 
+  slice6window_leaving_3_memory_read_enable <= true;
+  slice6window_leaving_3_memory_read_address <= to_unsigned(slice6window_ring_read_address, 3);
+  slice6window_leaving_3_memory_write_address <= to_unsigned(slice6window_ring_write_address, 3);
   slice6window_leaving_3_memory_write_data <= to_unsigned(slice6cost_column_0_7, 11) & to_unsigned(slice6cost_column_0_6, 11);
   slice6window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6window_ring_read_address, read_data => slice6window_leaving_3,
-      write_address => slice6window_ring_write_address, write_data => slice6window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice6window_leaving_3_memory_read_enable,
+      read_address => slice6window_leaving_3_memory_read_address, read_data => slice6window_leaving_3,
+      write_address => slice6window_leaving_3_memory_write_address, write_data => slice6window_leaving_3_memory_write_data);
 
+  slice6window_leaving_2_memory_read_enable <= true;
+  slice6window_leaving_2_memory_read_address <= to_unsigned(slice6window_ring_read_address, 3);
+  slice6window_leaving_2_memory_write_address <= to_unsigned(slice6window_ring_write_address, 3);
   slice6window_leaving_2_memory_write_data <= to_unsigned(slice6cost_column_0_5, 11) & to_unsigned(slice6cost_column_0_4, 11);
   slice6window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6window_ring_read_address, read_data => slice6window_leaving_2,
-      write_address => slice6window_ring_write_address, write_data => slice6window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice6window_leaving_2_memory_read_enable,
+      read_address => slice6window_leaving_2_memory_read_address, read_data => slice6window_leaving_2,
+      write_address => slice6window_leaving_2_memory_write_address, write_data => slice6window_leaving_2_memory_write_data);
 
+  slice6window_leaving_1_memory_read_enable <= true;
+  slice6window_leaving_1_memory_read_address <= to_unsigned(slice6window_ring_read_address, 3);
+  slice6window_leaving_1_memory_write_address <= to_unsigned(slice6window_ring_write_address, 3);
   slice6window_leaving_1_memory_write_data <= to_unsigned(slice6cost_column_0_3, 11) & to_unsigned(slice6cost_column_0_2, 11);
   slice6window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6window_ring_read_address, read_data => slice6window_leaving_1,
-      write_address => slice6window_ring_write_address, write_data => slice6window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice6window_leaving_1_memory_read_enable,
+      read_address => slice6window_leaving_1_memory_read_address, read_data => slice6window_leaving_1,
+      write_address => slice6window_leaving_1_memory_write_address, write_data => slice6window_leaving_1_memory_write_data);
 
+  slice6window_leaving_0_memory_read_enable <= true;
+  slice6window_leaving_0_memory_read_address <= to_unsigned(slice6window_ring_read_address, 3);
+  slice6window_leaving_0_memory_write_address <= to_unsigned(slice6window_ring_write_address, 3);
   slice6window_leaving_0_memory_write_data <= to_unsigned(slice6cost_column_0_1, 11) & to_unsigned(slice6cost_column_0_0, 11);
   slice6window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6window_ring_read_address, read_data => slice6window_leaving_0,
-      write_address => slice6window_ring_write_address, write_data => slice6window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice6window_leaving_0_memory_read_enable,
+      read_address => slice6window_leaving_0_memory_read_address, read_data => slice6window_leaving_0,
+      write_address => slice6window_leaving_0_memory_write_address, write_data => slice6window_leaving_0_memory_write_data);
 
+  slice6cost_read_words_12_memory_read_enable <= true;
+  slice6cost_read_words_12_memory_read_address <= to_unsigned(slice6cost_read_column, 10);
+  slice6cost_read_words_12_memory_write_address <= to_unsigned(slice7cost_ready_column, 10);
   slice6cost_read_words_12_memory_write_data <= to_unsigned(slice6cost_write_words_12, 11);
   slice6cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 640, width => 11)
+    generic map (depth => 640, width => 11, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_read_column, read_data => slice6cost_read_words_12,
-      write_address => slice7cost_ready_column, write_data => slice6cost_read_words_12_memory_write_data);
+      clock => clock, read_enable => slice6cost_read_words_12_memory_read_enable,
+      read_address => slice6cost_read_words_12_memory_read_address, read_data => slice6cost_read_words_12,
+      write_address => slice6cost_read_words_12_memory_write_address, write_data => slice6cost_read_words_12_memory_write_data);
 
+  slice6cost_read_words_11_memory_read_enable <= true;
+  slice6cost_read_words_11_memory_read_address <= to_unsigned(slice6cost_read_column, 10);
+  slice6cost_read_words_11_memory_write_address <= to_unsigned(slice7cost_ready_column, 10);
   slice6cost_read_words_11_memory_write_data <= to_unsigned(slice6cost_write_words_11, 22);
   slice6cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_read_column, read_data => slice6cost_read_words_11,
-      write_address => slice7cost_ready_column, write_data => slice6cost_read_words_11_memory_write_data);
+      clock => clock, read_enable => slice6cost_read_words_11_memory_read_enable,
+      read_address => slice6cost_read_words_11_memory_read_address, read_data => slice6cost_read_words_11,
+      write_address => slice6cost_read_words_11_memory_write_address, write_data => slice6cost_read_words_11_memory_write_data);
 
+  slice6cost_read_words_10_memory_read_enable <= true;
+  slice6cost_read_words_10_memory_read_address <= to_unsigned(slice6cost_read_column, 10);
+  slice6cost_read_words_10_memory_write_address <= to_unsigned(slice7cost_ready_column, 10);
   slice6cost_read_words_10_memory_write_data <= to_unsigned(slice6cost_write_words_10, 22);
   slice6cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_read_column, read_data => slice6cost_read_words_10,
-      write_address => slice7cost_ready_column, write_data => slice6cost_read_words_10_memory_write_data);
+      clock => clock, read_enable => slice6cost_read_words_10_memory_read_enable,
+      read_address => slice6cost_read_words_10_memory_read_address, read_data => slice6cost_read_words_10,
+      write_address => slice6cost_read_words_10_memory_write_address, write_data => slice6cost_read_words_10_memory_write_data);
 
+  slice6cost_read_words_9_memory_read_enable <= true;
+  slice6cost_read_words_9_memory_read_address <= to_unsigned(slice6cost_read_column, 10);
+  slice6cost_read_words_9_memory_write_address <= to_unsigned(slice7cost_ready_column, 10);
   slice6cost_read_words_9_memory_write_data <= to_unsigned(slice6cost_write_words_9, 22);
   slice6cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_read_column, read_data => slice6cost_read_words_9,
-      write_address => slice7cost_ready_column, write_data => slice6cost_read_words_9_memory_write_data);
+      clock => clock, read_enable => slice6cost_read_words_9_memory_read_enable,
+      read_address => slice6cost_read_words_9_memory_read_address, read_data => slice6cost_read_words_9,
+      write_address => slice6cost_read_words_9_memory_write_address, write_data => slice6cost_read_words_9_memory_write_data);
 
+  slice6cost_read_words_8_memory_read_enable <= true;
+  slice6cost_read_words_8_memory_read_address <= to_unsigned(slice6cost_read_column, 10);
+  slice6cost_read_words_8_memory_write_address <= to_unsigned(slice7cost_ready_column, 10);
   slice6cost_read_words_8_memory_write_data <= to_unsigned(slice6cost_write_words_8, 22);
   slice6cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_read_column, read_data => slice6cost_read_words_8,
-      write_address => slice7cost_ready_column, write_data => slice6cost_read_words_8_memory_write_data);
+      clock => clock, read_enable => slice6cost_read_words_8_memory_read_enable,
+      read_address => slice6cost_read_words_8_memory_read_address, read_data => slice6cost_read_words_8,
+      write_address => slice6cost_read_words_8_memory_write_address, write_data => slice6cost_read_words_8_memory_write_data);
 
+  slice6cost_read_words_7_memory_read_enable <= true;
+  slice6cost_read_words_7_memory_read_address <= to_unsigned(slice6cost_read_column, 10);
+  slice6cost_read_words_7_memory_write_address <= to_unsigned(slice7cost_ready_column, 10);
   slice6cost_read_words_7_memory_write_data <= to_unsigned(slice6cost_write_words_7, 22);
   slice6cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_read_column, read_data => slice6cost_read_words_7,
-      write_address => slice7cost_ready_column, write_data => slice6cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice6cost_read_words_7_memory_read_enable,
+      read_address => slice6cost_read_words_7_memory_read_address, read_data => slice6cost_read_words_7,
+      write_address => slice6cost_read_words_7_memory_write_address, write_data => slice6cost_read_words_7_memory_write_data);
 
+  slice6cost_read_words_6_memory_read_enable <= true;
+  slice6cost_read_words_6_memory_read_address <= to_unsigned(slice6cost_read_column, 10);
+  slice6cost_read_words_6_memory_write_address <= to_unsigned(slice7cost_ready_column, 10);
   slice6cost_read_words_6_memory_write_data <= to_unsigned(slice6cost_write_words_6, 22);
   slice6cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_read_column, read_data => slice6cost_read_words_6,
-      write_address => slice7cost_ready_column, write_data => slice6cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice6cost_read_words_6_memory_read_enable,
+      read_address => slice6cost_read_words_6_memory_read_address, read_data => slice6cost_read_words_6,
+      write_address => slice6cost_read_words_6_memory_write_address, write_data => slice6cost_read_words_6_memory_write_data);
 
+  slice6cost_read_words_5_memory_read_enable <= true;
+  slice6cost_read_words_5_memory_read_address <= to_unsigned(slice6cost_read_column, 10);
+  slice6cost_read_words_5_memory_write_address <= to_unsigned(slice7cost_ready_column, 10);
   slice6cost_read_words_5_memory_write_data <= to_unsigned(slice6cost_write_words_5, 22);
   slice6cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_read_column, read_data => slice6cost_read_words_5,
-      write_address => slice7cost_ready_column, write_data => slice6cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice6cost_read_words_5_memory_read_enable,
+      read_address => slice6cost_read_words_5_memory_read_address, read_data => slice6cost_read_words_5,
+      write_address => slice6cost_read_words_5_memory_write_address, write_data => slice6cost_read_words_5_memory_write_data);
 
+  slice6cost_read_words_4_memory_read_enable <= true;
+  slice6cost_read_words_4_memory_read_address <= to_unsigned(slice6cost_read_column, 10);
+  slice6cost_read_words_4_memory_write_address <= to_unsigned(slice7cost_ready_column, 10);
   slice6cost_read_words_4_memory_write_data <= to_unsigned(slice6cost_write_words_4, 22);
   slice6cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_read_column, read_data => slice6cost_read_words_4,
-      write_address => slice7cost_ready_column, write_data => slice6cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice6cost_read_words_4_memory_read_enable,
+      read_address => slice6cost_read_words_4_memory_read_address, read_data => slice6cost_read_words_4,
+      write_address => slice6cost_read_words_4_memory_write_address, write_data => slice6cost_read_words_4_memory_write_data);
 
+  slice6cost_read_words_3_memory_read_enable <= true;
+  slice6cost_read_words_3_memory_read_address <= to_unsigned(slice6cost_read_column, 10);
+  slice6cost_read_words_3_memory_write_address <= to_unsigned(slice7cost_ready_column, 10);
   slice6cost_read_words_3_memory_write_data <= to_unsigned(slice6cost_write_words_3, 22);
   slice6cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_read_column, read_data => slice6cost_read_words_3,
-      write_address => slice7cost_ready_column, write_data => slice6cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice6cost_read_words_3_memory_read_enable,
+      read_address => slice6cost_read_words_3_memory_read_address, read_data => slice6cost_read_words_3,
+      write_address => slice6cost_read_words_3_memory_write_address, write_data => slice6cost_read_words_3_memory_write_data);
 
+  slice6cost_read_words_2_memory_read_enable <= true;
+  slice6cost_read_words_2_memory_read_address <= to_unsigned(slice6cost_read_column, 10);
+  slice6cost_read_words_2_memory_write_address <= to_unsigned(slice7cost_ready_column, 10);
   slice6cost_read_words_2_memory_write_data <= to_unsigned(slice6cost_write_words_2, 22);
   slice6cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_read_column, read_data => slice6cost_read_words_2,
-      write_address => slice7cost_ready_column, write_data => slice6cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice6cost_read_words_2_memory_read_enable,
+      read_address => slice6cost_read_words_2_memory_read_address, read_data => slice6cost_read_words_2,
+      write_address => slice6cost_read_words_2_memory_write_address, write_data => slice6cost_read_words_2_memory_write_data);
 
+  slice6cost_read_words_1_memory_read_enable <= true;
+  slice6cost_read_words_1_memory_read_address <= to_unsigned(slice6cost_read_column, 10);
+  slice6cost_read_words_1_memory_write_address <= to_unsigned(slice7cost_ready_column, 10);
   slice6cost_read_words_1_memory_write_data <= to_unsigned(slice6cost_write_words_1, 22);
   slice6cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_read_column, read_data => slice6cost_read_words_1,
-      write_address => slice7cost_ready_column, write_data => slice6cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice6cost_read_words_1_memory_read_enable,
+      read_address => slice6cost_read_words_1_memory_read_address, read_data => slice6cost_read_words_1,
+      write_address => slice6cost_read_words_1_memory_write_address, write_data => slice6cost_read_words_1_memory_write_data);
 
+  slice6cost_read_words_0_memory_read_enable <= true;
+  slice6cost_read_words_0_memory_read_address <= to_unsigned(slice6cost_read_column, 10);
+  slice6cost_read_words_0_memory_write_address <= to_unsigned(slice7cost_ready_column, 10);
   slice6cost_read_words_0_memory_write_data <= to_unsigned(slice6cost_write_words_0, 22);
   slice6cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice6cost_read_column, read_data => slice6cost_read_words_0,
-      write_address => slice7cost_ready_column, write_data => slice6cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice6cost_read_words_0_memory_read_enable,
+      read_address => slice6cost_read_words_0_memory_read_address, read_data => slice6cost_read_words_0,
+      write_address => slice6cost_read_words_0_memory_write_address, write_data => slice6cost_read_words_0_memory_write_data);
 
+  slice5window_leaving_12_memory_read_enable <= true;
+  slice5window_leaving_12_memory_read_address <= to_unsigned(slice5window_ring_read_address, 3);
+  slice5window_leaving_12_memory_write_address <= to_unsigned(slice5window_ring_write_address, 3);
   slice5window_leaving_12_memory_write_data <= to_unsigned(slice5cost_column_0_24, 11);
   slice5window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 8, width => 11)
+    generic map (depth => 8, width => 11, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_12,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_12_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_12_memory_read_enable,
+      read_address => slice5window_leaving_12_memory_read_address, read_data => slice5window_leaving_12,
+      write_address => slice5window_leaving_12_memory_write_address, write_data => slice5window_leaving_12_memory_write_data);
 
+  slice5window_leaving_11_memory_read_enable <= true;
+  slice5window_leaving_11_memory_read_address <= to_unsigned(slice5window_ring_read_address, 3);
+  slice5window_leaving_11_memory_write_address <= to_unsigned(slice5window_ring_write_address, 3);
   slice5window_leaving_11_memory_write_data <= to_unsigned(slice5cost_column_0_23, 11) & to_unsigned(slice5cost_column_0_22, 11);
   slice5window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_11,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_11_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_11_memory_read_enable,
+      read_address => slice5window_leaving_11_memory_read_address, read_data => slice5window_leaving_11,
+      write_address => slice5window_leaving_11_memory_write_address, write_data => slice5window_leaving_11_memory_write_data);
 
+  slice5window_leaving_10_memory_read_enable <= true;
+  slice5window_leaving_10_memory_read_address <= to_unsigned(slice5window_ring_read_address, 3);
+  slice5window_leaving_10_memory_write_address <= to_unsigned(slice5window_ring_write_address, 3);
   slice5window_leaving_10_memory_write_data <= to_unsigned(slice5cost_column_0_21, 11) & to_unsigned(slice5cost_column_0_20, 11);
   slice5window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_10,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_10_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_10_memory_read_enable,
+      read_address => slice5window_leaving_10_memory_read_address, read_data => slice5window_leaving_10,
+      write_address => slice5window_leaving_10_memory_write_address, write_data => slice5window_leaving_10_memory_write_data);
 
+  slice5window_leaving_9_memory_read_enable <= true;
+  slice5window_leaving_9_memory_read_address <= to_unsigned(slice5window_ring_read_address, 3);
+  slice5window_leaving_9_memory_write_address <= to_unsigned(slice5window_ring_write_address, 3);
   slice5window_leaving_9_memory_write_data <= to_unsigned(slice5cost_column_0_19, 11) & to_unsigned(slice5cost_column_0_18, 11);
   slice5window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_9,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_9_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_9_memory_read_enable,
+      read_address => slice5window_leaving_9_memory_read_address, read_data => slice5window_leaving_9,
+      write_address => slice5window_leaving_9_memory_write_address, write_data => slice5window_leaving_9_memory_write_data);
 
+  slice5window_leaving_8_memory_read_enable <= true;
+  slice5window_leaving_8_memory_read_address <= to_unsigned(slice5window_ring_read_address, 3);
+  slice5window_leaving_8_memory_write_address <= to_unsigned(slice5window_ring_write_address, 3);
   slice5window_leaving_8_memory_write_data <= to_unsigned(slice5cost_column_0_17, 11) & to_unsigned(slice5cost_column_0_16, 11);
   slice5window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_8,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_8_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_8_memory_read_enable,
+      read_address => slice5window_leaving_8_memory_read_address, read_data => slice5window_leaving_8,
+      write_address => slice5window_leaving_8_memory_write_address, write_data => slice5window_leaving_8_memory_write_data);
 
+  slice5window_leaving_7_memory_read_enable <= true;
+  slice5window_leaving_7_memory_read_address <= to_unsigned(slice5window_ring_read_address, 3);
+  slice5window_leaving_7_memory_write_address <= to_unsigned(slice5window_ring_write_address, 3);
   slice5window_leaving_7_memory_write_data <= to_unsigned(slice5cost_column_0_15, 11) & to_unsigned(slice5cost_column_0_14, 11);
   slice5window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_7,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_7_memory_read_enable,
+      read_address => slice5window_leaving_7_memory_read_address, read_data => slice5window_leaving_7,
+      write_address => slice5window_leaving_7_memory_write_address, write_data => slice5window_leaving_7_memory_write_data);
 
+  slice5window_leaving_6_memory_read_enable <= true;
+  slice5window_leaving_6_memory_read_address <= to_unsigned(slice5window_ring_read_address, 3);
+  slice5window_leaving_6_memory_write_address <= to_unsigned(slice5window_ring_write_address, 3);
   slice5window_leaving_6_memory_write_data <= to_unsigned(slice5cost_column_0_13, 11) & to_unsigned(slice5cost_column_0_12, 11);
   slice5window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_6,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_6_memory_read_enable,
+      read_address => slice5window_leaving_6_memory_read_address, read_data => slice5window_leaving_6,
+      write_address => slice5window_leaving_6_memory_write_address, write_data => slice5window_leaving_6_memory_write_data);
 
+  slice5window_leaving_5_memory_read_enable <= true;
+  slice5window_leaving_5_memory_read_address <= to_unsigned(slice5window_ring_read_address, 3);
+  slice5window_leaving_5_memory_write_address <= to_unsigned(slice5window_ring_write_address, 3);
   slice5window_leaving_5_memory_write_data <= to_unsigned(slice5cost_column_0_11, 11) & to_unsigned(slice5cost_column_0_10, 11);
   slice5window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_5,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_5_memory_read_enable,
+      read_address => slice5window_leaving_5_memory_read_address, read_data => slice5window_leaving_5,
+      write_address => slice5window_leaving_5_memory_write_address, write_data => slice5window_leaving_5_memory_write_data);
 
+  slice5window_leaving_4_memory_read_enable <= true;
+  slice5window_leaving_4_memory_read_address <= to_unsigned(slice5window_ring_read_address, 3);
+  slice5window_leaving_4_memory_write_address <= to_unsigned(slice5window_ring_write_address, 3);
   slice5window_leaving_4_memory_write_data <= to_unsigned(slice5cost_column_0_9, 11) & to_unsigned(slice5cost_column_0_8, 11);
   slice5window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_4,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_4_memory_read_enable,
+      read_address => slice5window_leaving_4_memory_read_address, read_data => slice5window_leaving_4,
+      write_address => slice5window_leaving_4_memory_write_address, write_data => slice5window_leaving_4_memory_write_data);
 
+  slice5window_leaving_3_memory_read_enable <= true;
+  slice5window_leaving_3_memory_read_address <= to_unsigned(slice5window_ring_read_address, 3);
+  slice5window_leaving_3_memory_write_address <= to_unsigned(slice5window_ring_write_address, 3);
   slice5window_leaving_3_memory_write_data <= to_unsigned(slice5cost_column_0_7, 11) & to_unsigned(slice5cost_column_0_6, 11);
   slice5window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_3,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_3_memory_read_enable,
+      read_address => slice5window_leaving_3_memory_read_address, read_data => slice5window_leaving_3,
+      write_address => slice5window_leaving_3_memory_write_address, write_data => slice5window_leaving_3_memory_write_data);
 
+  slice5window_leaving_2_memory_read_enable <= true;
+  slice5window_leaving_2_memory_read_address <= to_unsigned(slice5window_ring_read_address, 3);
+  slice5window_leaving_2_memory_write_address <= to_unsigned(slice5window_ring_write_address, 3);
   slice5window_leaving_2_memory_write_data <= to_unsigned(slice5cost_column_0_5, 11) & to_unsigned(slice5cost_column_0_4, 11);
   slice5window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_2,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_2_memory_read_enable,
+      read_address => slice5window_leaving_2_memory_read_address, read_data => slice5window_leaving_2,
+      write_address => slice5window_leaving_2_memory_write_address, write_data => slice5window_leaving_2_memory_write_data);
 
+  slice5window_leaving_1_memory_read_enable <= true;
+  slice5window_leaving_1_memory_read_address <= to_unsigned(slice5window_ring_read_address, 3);
+  slice5window_leaving_1_memory_write_address <= to_unsigned(slice5window_ring_write_address, 3);
   slice5window_leaving_1_memory_write_data <= to_unsigned(slice5cost_column_0_3, 11) & to_unsigned(slice5cost_column_0_2, 11);
   slice5window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_1,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_1_memory_read_enable,
+      read_address => slice5window_leaving_1_memory_read_address, read_data => slice5window_leaving_1,
+      write_address => slice5window_leaving_1_memory_write_address, write_data => slice5window_leaving_1_memory_write_data);
 
+  slice5window_leaving_0_memory_read_enable <= true;
+  slice5window_leaving_0_memory_read_address <= to_unsigned(slice5window_ring_read_address, 3);
+  slice5window_leaving_0_memory_write_address <= to_unsigned(slice5window_ring_write_address, 3);
   slice5window_leaving_0_memory_write_data <= to_unsigned(slice5cost_column_0_1, 11) & to_unsigned(slice5cost_column_0_0, 11);
   slice5window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice5window_ring_read_address, read_data => slice5window_leaving_0,
-      write_address => slice5window_ring_write_address, write_data => slice5window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice5window_leaving_0_memory_read_enable,
+      read_address => slice5window_leaving_0_memory_read_address, read_data => slice5window_leaving_0,
+      write_address => slice5window_leaving_0_memory_write_address, write_data => slice5window_leaving_0_memory_write_data);
 
+  slice5cost_read_words_12_memory_read_enable <= true;
+  slice5cost_read_words_12_memory_read_address <= to_unsigned(slice2cost_write_column, 10);
+  slice5cost_read_words_12_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_12_memory_write_data <= to_unsigned(slice5cost_write_words_12, 11);
   slice5cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 640, width => 11)
+    generic map (depth => 640, width => 11, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_write_column, read_data => slice5cost_read_words_12,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_12_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_12_memory_read_enable,
+      read_address => slice5cost_read_words_12_memory_read_address, read_data => slice5cost_read_words_12,
+      write_address => slice5cost_read_words_12_memory_write_address, write_data => slice5cost_read_words_12_memory_write_data);
 
+  slice5cost_read_words_11_memory_read_enable <= true;
+  slice5cost_read_words_11_memory_read_address <= to_unsigned(slice2cost_write_column, 10);
+  slice5cost_read_words_11_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_11_memory_write_data <= to_unsigned(slice5cost_write_words_11, 22);
   slice5cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_write_column, read_data => slice5cost_read_words_11,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_11_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_11_memory_read_enable,
+      read_address => slice5cost_read_words_11_memory_read_address, read_data => slice5cost_read_words_11,
+      write_address => slice5cost_read_words_11_memory_write_address, write_data => slice5cost_read_words_11_memory_write_data);
 
+  slice5cost_read_words_10_memory_read_enable <= true;
+  slice5cost_read_words_10_memory_read_address <= to_unsigned(slice2cost_write_column, 10);
+  slice5cost_read_words_10_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_10_memory_write_data <= to_unsigned(slice5cost_write_words_10, 22);
   slice5cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_write_column, read_data => slice5cost_read_words_10,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_10_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_10_memory_read_enable,
+      read_address => slice5cost_read_words_10_memory_read_address, read_data => slice5cost_read_words_10,
+      write_address => slice5cost_read_words_10_memory_write_address, write_data => slice5cost_read_words_10_memory_write_data);
 
+  slice5cost_read_words_9_memory_read_enable <= true;
+  slice5cost_read_words_9_memory_read_address <= to_unsigned(slice2cost_write_column, 10);
+  slice5cost_read_words_9_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_9_memory_write_data <= to_unsigned(slice5cost_write_words_9, 22);
   slice5cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_write_column, read_data => slice5cost_read_words_9,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_9_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_9_memory_read_enable,
+      read_address => slice5cost_read_words_9_memory_read_address, read_data => slice5cost_read_words_9,
+      write_address => slice5cost_read_words_9_memory_write_address, write_data => slice5cost_read_words_9_memory_write_data);
 
+  slice5cost_read_words_8_memory_read_enable <= true;
+  slice5cost_read_words_8_memory_read_address <= to_unsigned(slice2cost_write_column, 10);
+  slice5cost_read_words_8_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_8_memory_write_data <= to_unsigned(slice5cost_write_words_8, 22);
   slice5cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_write_column, read_data => slice5cost_read_words_8,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_8_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_8_memory_read_enable,
+      read_address => slice5cost_read_words_8_memory_read_address, read_data => slice5cost_read_words_8,
+      write_address => slice5cost_read_words_8_memory_write_address, write_data => slice5cost_read_words_8_memory_write_data);
 
+  slice5cost_read_words_7_memory_read_enable <= true;
+  slice5cost_read_words_7_memory_read_address <= to_unsigned(slice2cost_write_column, 10);
+  slice5cost_read_words_7_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_7_memory_write_data <= to_unsigned(slice5cost_write_words_7, 22);
   slice5cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_write_column, read_data => slice5cost_read_words_7,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_7_memory_read_enable,
+      read_address => slice5cost_read_words_7_memory_read_address, read_data => slice5cost_read_words_7,
+      write_address => slice5cost_read_words_7_memory_write_address, write_data => slice5cost_read_words_7_memory_write_data);
 
+  slice5cost_read_words_6_memory_read_enable <= true;
+  slice5cost_read_words_6_memory_read_address <= to_unsigned(slice2cost_write_column, 10);
+  slice5cost_read_words_6_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_6_memory_write_data <= to_unsigned(slice5cost_write_words_6, 22);
   slice5cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_write_column, read_data => slice5cost_read_words_6,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_6_memory_read_enable,
+      read_address => slice5cost_read_words_6_memory_read_address, read_data => slice5cost_read_words_6,
+      write_address => slice5cost_read_words_6_memory_write_address, write_data => slice5cost_read_words_6_memory_write_data);
 
+  slice5cost_read_words_5_memory_read_enable <= true;
+  slice5cost_read_words_5_memory_read_address <= to_unsigned(slice2cost_write_column, 10);
+  slice5cost_read_words_5_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_5_memory_write_data <= to_unsigned(slice5cost_write_words_5, 22);
   slice5cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_write_column, read_data => slice5cost_read_words_5,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_5_memory_read_enable,
+      read_address => slice5cost_read_words_5_memory_read_address, read_data => slice5cost_read_words_5,
+      write_address => slice5cost_read_words_5_memory_write_address, write_data => slice5cost_read_words_5_memory_write_data);
 
+  slice5cost_read_words_4_memory_read_enable <= true;
+  slice5cost_read_words_4_memory_read_address <= to_unsigned(slice2cost_write_column, 10);
+  slice5cost_read_words_4_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_4_memory_write_data <= to_unsigned(slice5cost_write_words_4, 22);
   slice5cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_write_column, read_data => slice5cost_read_words_4,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_4_memory_read_enable,
+      read_address => slice5cost_read_words_4_memory_read_address, read_data => slice5cost_read_words_4,
+      write_address => slice5cost_read_words_4_memory_write_address, write_data => slice5cost_read_words_4_memory_write_data);
 
+  slice5cost_read_words_3_memory_read_enable <= true;
+  slice5cost_read_words_3_memory_read_address <= to_unsigned(slice2cost_write_column, 10);
+  slice5cost_read_words_3_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_3_memory_write_data <= to_unsigned(slice5cost_write_words_3, 22);
   slice5cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_write_column, read_data => slice5cost_read_words_3,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_3_memory_read_enable,
+      read_address => slice5cost_read_words_3_memory_read_address, read_data => slice5cost_read_words_3,
+      write_address => slice5cost_read_words_3_memory_write_address, write_data => slice5cost_read_words_3_memory_write_data);
 
+  slice5cost_read_words_2_memory_read_enable <= true;
+  slice5cost_read_words_2_memory_read_address <= to_unsigned(slice2cost_write_column, 10);
+  slice5cost_read_words_2_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_2_memory_write_data <= to_unsigned(slice5cost_write_words_2, 22);
   slice5cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_write_column, read_data => slice5cost_read_words_2,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_2_memory_read_enable,
+      read_address => slice5cost_read_words_2_memory_read_address, read_data => slice5cost_read_words_2,
+      write_address => slice5cost_read_words_2_memory_write_address, write_data => slice5cost_read_words_2_memory_write_data);
 
+  slice5cost_read_words_1_memory_read_enable <= true;
+  slice5cost_read_words_1_memory_read_address <= to_unsigned(slice2cost_write_column, 10);
+  slice5cost_read_words_1_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_1_memory_write_data <= to_unsigned(slice5cost_write_words_1, 22);
   slice5cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_write_column, read_data => slice5cost_read_words_1,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_1_memory_read_enable,
+      read_address => slice5cost_read_words_1_memory_read_address, read_data => slice5cost_read_words_1,
+      write_address => slice5cost_read_words_1_memory_write_address, write_data => slice5cost_read_words_1_memory_write_data);
 
+  slice5cost_read_words_0_memory_read_enable <= true;
+  slice5cost_read_words_0_memory_read_address <= to_unsigned(slice2cost_write_column, 10);
+  slice5cost_read_words_0_memory_write_address <= to_unsigned(slice5cost_write_column, 10);
   slice5cost_read_words_0_memory_write_data <= to_unsigned(slice5cost_write_words_0, 22);
   slice5cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_write_column, read_data => slice5cost_read_words_0,
-      write_address => slice5cost_write_column, write_data => slice5cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice5cost_read_words_0_memory_read_enable,
+      read_address => slice5cost_read_words_0_memory_read_address, read_data => slice5cost_read_words_0,
+      write_address => slice5cost_read_words_0_memory_write_address, write_data => slice5cost_read_words_0_memory_write_data);
 
+  slice4window_leaving_12_memory_read_enable <= true;
+  slice4window_leaving_12_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
+  slice4window_leaving_12_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
   slice4window_leaving_12_memory_write_data <= to_unsigned(slice4cost_column_0_24, 11);
   slice4window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 8, width => 11)
+    generic map (depth => 8, width => 11, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_12,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_12_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_12_memory_read_enable,
+      read_address => slice4window_leaving_12_memory_read_address, read_data => slice4window_leaving_12,
+      write_address => slice4window_leaving_12_memory_write_address, write_data => slice4window_leaving_12_memory_write_data);
 
+  slice4window_leaving_11_memory_read_enable <= true;
+  slice4window_leaving_11_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
+  slice4window_leaving_11_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
   slice4window_leaving_11_memory_write_data <= to_unsigned(slice4cost_column_0_23, 11) & to_unsigned(slice4cost_column_0_22, 11);
   slice4window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_11,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_11_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_11_memory_read_enable,
+      read_address => slice4window_leaving_11_memory_read_address, read_data => slice4window_leaving_11,
+      write_address => slice4window_leaving_11_memory_write_address, write_data => slice4window_leaving_11_memory_write_data);
 
+  slice4window_leaving_10_memory_read_enable <= true;
+  slice4window_leaving_10_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
+  slice4window_leaving_10_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
   slice4window_leaving_10_memory_write_data <= to_unsigned(slice4cost_column_0_21, 11) & to_unsigned(slice4cost_column_0_20, 11);
   slice4window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_10,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_10_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_10_memory_read_enable,
+      read_address => slice4window_leaving_10_memory_read_address, read_data => slice4window_leaving_10,
+      write_address => slice4window_leaving_10_memory_write_address, write_data => slice4window_leaving_10_memory_write_data);
 
+  slice4window_leaving_9_memory_read_enable <= true;
+  slice4window_leaving_9_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
+  slice4window_leaving_9_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
   slice4window_leaving_9_memory_write_data <= to_unsigned(slice4cost_column_0_19, 11) & to_unsigned(slice4cost_column_0_18, 11);
   slice4window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_9,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_9_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_9_memory_read_enable,
+      read_address => slice4window_leaving_9_memory_read_address, read_data => slice4window_leaving_9,
+      write_address => slice4window_leaving_9_memory_write_address, write_data => slice4window_leaving_9_memory_write_data);
 
+  slice4window_leaving_8_memory_read_enable <= true;
+  slice4window_leaving_8_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
+  slice4window_leaving_8_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
   slice4window_leaving_8_memory_write_data <= to_unsigned(slice4cost_column_0_17, 11) & to_unsigned(slice4cost_column_0_16, 11);
   slice4window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_8,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_8_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_8_memory_read_enable,
+      read_address => slice4window_leaving_8_memory_read_address, read_data => slice4window_leaving_8,
+      write_address => slice4window_leaving_8_memory_write_address, write_data => slice4window_leaving_8_memory_write_data);
 
+  slice4window_leaving_7_memory_read_enable <= true;
+  slice4window_leaving_7_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
+  slice4window_leaving_7_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
   slice4window_leaving_7_memory_write_data <= to_unsigned(slice4cost_column_0_15, 11) & to_unsigned(slice4cost_column_0_14, 11);
   slice4window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_7,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_7_memory_read_enable,
+      read_address => slice4window_leaving_7_memory_read_address, read_data => slice4window_leaving_7,
+      write_address => slice4window_leaving_7_memory_write_address, write_data => slice4window_leaving_7_memory_write_data);
 
+  slice4window_leaving_6_memory_read_enable <= true;
+  slice4window_leaving_6_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
+  slice4window_leaving_6_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
   slice4window_leaving_6_memory_write_data <= to_unsigned(slice4cost_column_0_13, 11) & to_unsigned(slice4cost_column_0_12, 11);
   slice4window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_6,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_6_memory_read_enable,
+      read_address => slice4window_leaving_6_memory_read_address, read_data => slice4window_leaving_6,
+      write_address => slice4window_leaving_6_memory_write_address, write_data => slice4window_leaving_6_memory_write_data);
 
+  slice4window_leaving_5_memory_read_enable <= true;
+  slice4window_leaving_5_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
+  slice4window_leaving_5_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
   slice4window_leaving_5_memory_write_data <= to_unsigned(slice4cost_column_0_11, 11) & to_unsigned(slice4cost_column_0_10, 11);
   slice4window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_5,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_5_memory_read_enable,
+      read_address => slice4window_leaving_5_memory_read_address, read_data => slice4window_leaving_5,
+      write_address => slice4window_leaving_5_memory_write_address, write_data => slice4window_leaving_5_memory_write_data);
 
+  slice4window_leaving_4_memory_read_enable <= true;
+  slice4window_leaving_4_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
+  slice4window_leaving_4_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
   slice4window_leaving_4_memory_write_data <= to_unsigned(slice4cost_column_0_9, 11) & to_unsigned(slice4cost_column_0_8, 11);
   slice4window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_4,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_4_memory_read_enable,
+      read_address => slice4window_leaving_4_memory_read_address, read_data => slice4window_leaving_4,
+      write_address => slice4window_leaving_4_memory_write_address, write_data => slice4window_leaving_4_memory_write_data);
 
+  slice4window_leaving_3_memory_read_enable <= true;
+  slice4window_leaving_3_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
+  slice4window_leaving_3_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
   slice4window_leaving_3_memory_write_data <= to_unsigned(slice4cost_column_0_7, 11) & to_unsigned(slice4cost_column_0_6, 11);
   slice4window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_3,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_3_memory_read_enable,
+      read_address => slice4window_leaving_3_memory_read_address, read_data => slice4window_leaving_3,
+      write_address => slice4window_leaving_3_memory_write_address, write_data => slice4window_leaving_3_memory_write_data);
 
+  slice4window_leaving_2_memory_read_enable <= true;
+  slice4window_leaving_2_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
+  slice4window_leaving_2_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
   slice4window_leaving_2_memory_write_data <= to_unsigned(slice4cost_column_0_5, 11) & to_unsigned(slice4cost_column_0_4, 11);
   slice4window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_2,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_2_memory_read_enable,
+      read_address => slice4window_leaving_2_memory_read_address, read_data => slice4window_leaving_2,
+      write_address => slice4window_leaving_2_memory_write_address, write_data => slice4window_leaving_2_memory_write_data);
 
+  slice4window_leaving_1_memory_read_enable <= true;
+  slice4window_leaving_1_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
+  slice4window_leaving_1_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
   slice4window_leaving_1_memory_write_data <= to_unsigned(slice4cost_column_0_3, 11) & to_unsigned(slice4cost_column_0_2, 11);
   slice4window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_1,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_1_memory_read_enable,
+      read_address => slice4window_leaving_1_memory_read_address, read_data => slice4window_leaving_1,
+      write_address => slice4window_leaving_1_memory_write_address, write_data => slice4window_leaving_1_memory_write_data);
 
+  slice4window_leaving_0_memory_read_enable <= true;
+  slice4window_leaving_0_memory_read_address <= to_unsigned(slice4window_ring_read_address, 3);
+  slice4window_leaving_0_memory_write_address <= to_unsigned(slice4window_ring_write_address, 3);
   slice4window_leaving_0_memory_write_data <= to_unsigned(slice4cost_column_0_1, 11) & to_unsigned(slice4cost_column_0_0, 11);
   slice4window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice4window_ring_read_address, read_data => slice4window_leaving_0,
-      write_address => slice4window_ring_write_address, write_data => slice4window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice4window_leaving_0_memory_read_enable,
+      read_address => slice4window_leaving_0_memory_read_address, read_data => slice4window_leaving_0,
+      write_address => slice4window_leaving_0_memory_write_address, write_data => slice4window_leaving_0_memory_write_data);
 
+  slice4cost_read_words_12_memory_read_enable <= true;
+  slice4cost_read_words_12_memory_read_address <= to_unsigned(slice1cost_write_column, 10);
+  slice4cost_read_words_12_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_12_memory_write_data <= to_unsigned(slice4cost_write_words_12, 11);
   slice4cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 640, width => 11)
+    generic map (depth => 640, width => 11, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_write_column, read_data => slice4cost_read_words_12,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_12_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_12_memory_read_enable,
+      read_address => slice4cost_read_words_12_memory_read_address, read_data => slice4cost_read_words_12,
+      write_address => slice4cost_read_words_12_memory_write_address, write_data => slice4cost_read_words_12_memory_write_data);
 
+  slice4cost_read_words_11_memory_read_enable <= true;
+  slice4cost_read_words_11_memory_read_address <= to_unsigned(slice1cost_write_column, 10);
+  slice4cost_read_words_11_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_11_memory_write_data <= to_unsigned(slice4cost_write_words_11, 22);
   slice4cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_write_column, read_data => slice4cost_read_words_11,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_11_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_11_memory_read_enable,
+      read_address => slice4cost_read_words_11_memory_read_address, read_data => slice4cost_read_words_11,
+      write_address => slice4cost_read_words_11_memory_write_address, write_data => slice4cost_read_words_11_memory_write_data);
 
+  slice4cost_read_words_10_memory_read_enable <= true;
+  slice4cost_read_words_10_memory_read_address <= to_unsigned(slice1cost_write_column, 10);
+  slice4cost_read_words_10_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_10_memory_write_data <= to_unsigned(slice4cost_write_words_10, 22);
   slice4cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_write_column, read_data => slice4cost_read_words_10,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_10_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_10_memory_read_enable,
+      read_address => slice4cost_read_words_10_memory_read_address, read_data => slice4cost_read_words_10,
+      write_address => slice4cost_read_words_10_memory_write_address, write_data => slice4cost_read_words_10_memory_write_data);
 
+  slice4cost_read_words_9_memory_read_enable <= true;
+  slice4cost_read_words_9_memory_read_address <= to_unsigned(slice1cost_write_column, 10);
+  slice4cost_read_words_9_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_9_memory_write_data <= to_unsigned(slice4cost_write_words_9, 22);
   slice4cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_write_column, read_data => slice4cost_read_words_9,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_9_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_9_memory_read_enable,
+      read_address => slice4cost_read_words_9_memory_read_address, read_data => slice4cost_read_words_9,
+      write_address => slice4cost_read_words_9_memory_write_address, write_data => slice4cost_read_words_9_memory_write_data);
 
+  slice4cost_read_words_8_memory_read_enable <= true;
+  slice4cost_read_words_8_memory_read_address <= to_unsigned(slice1cost_write_column, 10);
+  slice4cost_read_words_8_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_8_memory_write_data <= to_unsigned(slice4cost_write_words_8, 22);
   slice4cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_write_column, read_data => slice4cost_read_words_8,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_8_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_8_memory_read_enable,
+      read_address => slice4cost_read_words_8_memory_read_address, read_data => slice4cost_read_words_8,
+      write_address => slice4cost_read_words_8_memory_write_address, write_data => slice4cost_read_words_8_memory_write_data);
 
+  slice4cost_read_words_7_memory_read_enable <= true;
+  slice4cost_read_words_7_memory_read_address <= to_unsigned(slice1cost_write_column, 10);
+  slice4cost_read_words_7_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_7_memory_write_data <= to_unsigned(slice4cost_write_words_7, 22);
   slice4cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_write_column, read_data => slice4cost_read_words_7,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_7_memory_read_enable,
+      read_address => slice4cost_read_words_7_memory_read_address, read_data => slice4cost_read_words_7,
+      write_address => slice4cost_read_words_7_memory_write_address, write_data => slice4cost_read_words_7_memory_write_data);
 
+  slice4cost_read_words_6_memory_read_enable <= true;
+  slice4cost_read_words_6_memory_read_address <= to_unsigned(slice1cost_write_column, 10);
+  slice4cost_read_words_6_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_6_memory_write_data <= to_unsigned(slice4cost_write_words_6, 22);
   slice4cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_write_column, read_data => slice4cost_read_words_6,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_6_memory_read_enable,
+      read_address => slice4cost_read_words_6_memory_read_address, read_data => slice4cost_read_words_6,
+      write_address => slice4cost_read_words_6_memory_write_address, write_data => slice4cost_read_words_6_memory_write_data);
 
+  slice4cost_read_words_5_memory_read_enable <= true;
+  slice4cost_read_words_5_memory_read_address <= to_unsigned(slice1cost_write_column, 10);
+  slice4cost_read_words_5_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_5_memory_write_data <= to_unsigned(slice4cost_write_words_5, 22);
   slice4cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_write_column, read_data => slice4cost_read_words_5,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_5_memory_read_enable,
+      read_address => slice4cost_read_words_5_memory_read_address, read_data => slice4cost_read_words_5,
+      write_address => slice4cost_read_words_5_memory_write_address, write_data => slice4cost_read_words_5_memory_write_data);
 
+  slice4cost_read_words_4_memory_read_enable <= true;
+  slice4cost_read_words_4_memory_read_address <= to_unsigned(slice1cost_write_column, 10);
+  slice4cost_read_words_4_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_4_memory_write_data <= to_unsigned(slice4cost_write_words_4, 22);
   slice4cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_write_column, read_data => slice4cost_read_words_4,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_4_memory_read_enable,
+      read_address => slice4cost_read_words_4_memory_read_address, read_data => slice4cost_read_words_4,
+      write_address => slice4cost_read_words_4_memory_write_address, write_data => slice4cost_read_words_4_memory_write_data);
 
+  slice4cost_read_words_3_memory_read_enable <= true;
+  slice4cost_read_words_3_memory_read_address <= to_unsigned(slice1cost_write_column, 10);
+  slice4cost_read_words_3_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_3_memory_write_data <= to_unsigned(slice4cost_write_words_3, 22);
   slice4cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_write_column, read_data => slice4cost_read_words_3,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_3_memory_read_enable,
+      read_address => slice4cost_read_words_3_memory_read_address, read_data => slice4cost_read_words_3,
+      write_address => slice4cost_read_words_3_memory_write_address, write_data => slice4cost_read_words_3_memory_write_data);
 
+  slice4cost_read_words_2_memory_read_enable <= true;
+  slice4cost_read_words_2_memory_read_address <= to_unsigned(slice1cost_write_column, 10);
+  slice4cost_read_words_2_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_2_memory_write_data <= to_unsigned(slice4cost_write_words_2, 22);
   slice4cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_write_column, read_data => slice4cost_read_words_2,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_2_memory_read_enable,
+      read_address => slice4cost_read_words_2_memory_read_address, read_data => slice4cost_read_words_2,
+      write_address => slice4cost_read_words_2_memory_write_address, write_data => slice4cost_read_words_2_memory_write_data);
 
+  slice4cost_read_words_1_memory_read_enable <= true;
+  slice4cost_read_words_1_memory_read_address <= to_unsigned(slice1cost_write_column, 10);
+  slice4cost_read_words_1_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_1_memory_write_data <= to_unsigned(slice4cost_write_words_1, 22);
   slice4cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_write_column, read_data => slice4cost_read_words_1,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_1_memory_read_enable,
+      read_address => slice4cost_read_words_1_memory_read_address, read_data => slice4cost_read_words_1,
+      write_address => slice4cost_read_words_1_memory_write_address, write_data => slice4cost_read_words_1_memory_write_data);
 
+  slice4cost_read_words_0_memory_read_enable <= true;
+  slice4cost_read_words_0_memory_read_address <= to_unsigned(slice1cost_write_column, 10);
+  slice4cost_read_words_0_memory_write_address <= to_unsigned(slice5cost_ready_column, 10);
   slice4cost_read_words_0_memory_write_data <= to_unsigned(slice4cost_write_words_0, 22);
   slice4cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_write_column, read_data => slice4cost_read_words_0,
-      write_address => slice5cost_ready_column, write_data => slice4cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice4cost_read_words_0_memory_read_enable,
+      read_address => slice4cost_read_words_0_memory_read_address, read_data => slice4cost_read_words_0,
+      write_address => slice4cost_read_words_0_memory_write_address, write_data => slice4cost_read_words_0_memory_write_data);
 
+  slice3window_leaving_12_memory_read_enable <= true;
+  slice3window_leaving_12_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
+  slice3window_leaving_12_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
   slice3window_leaving_12_memory_write_data <= to_unsigned(slice3cost_column_0_24, 11);
   slice3window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 8, width => 11)
+    generic map (depth => 8, width => 11, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_12,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_12_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_12_memory_read_enable,
+      read_address => slice3window_leaving_12_memory_read_address, read_data => slice3window_leaving_12,
+      write_address => slice3window_leaving_12_memory_write_address, write_data => slice3window_leaving_12_memory_write_data);
 
+  slice3window_leaving_11_memory_read_enable <= true;
+  slice3window_leaving_11_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
+  slice3window_leaving_11_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
   slice3window_leaving_11_memory_write_data <= to_unsigned(slice3cost_column_0_23, 11) & to_unsigned(slice3cost_column_0_22, 11);
   slice3window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_11,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_11_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_11_memory_read_enable,
+      read_address => slice3window_leaving_11_memory_read_address, read_data => slice3window_leaving_11,
+      write_address => slice3window_leaving_11_memory_write_address, write_data => slice3window_leaving_11_memory_write_data);
 
+  slice3window_leaving_10_memory_read_enable <= true;
+  slice3window_leaving_10_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
+  slice3window_leaving_10_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
   slice3window_leaving_10_memory_write_data <= to_unsigned(slice3cost_column_0_21, 11) & to_unsigned(slice3cost_column_0_20, 11);
   slice3window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_10,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_10_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_10_memory_read_enable,
+      read_address => slice3window_leaving_10_memory_read_address, read_data => slice3window_leaving_10,
+      write_address => slice3window_leaving_10_memory_write_address, write_data => slice3window_leaving_10_memory_write_data);
 
+  slice3window_leaving_9_memory_read_enable <= true;
+  slice3window_leaving_9_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
+  slice3window_leaving_9_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
   slice3window_leaving_9_memory_write_data <= to_unsigned(slice3cost_column_0_19, 11) & to_unsigned(slice3cost_column_0_18, 11);
   slice3window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_9,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_9_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_9_memory_read_enable,
+      read_address => slice3window_leaving_9_memory_read_address, read_data => slice3window_leaving_9,
+      write_address => slice3window_leaving_9_memory_write_address, write_data => slice3window_leaving_9_memory_write_data);
 
+  slice3window_leaving_8_memory_read_enable <= true;
+  slice3window_leaving_8_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
+  slice3window_leaving_8_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
   slice3window_leaving_8_memory_write_data <= to_unsigned(slice3cost_column_0_17, 11) & to_unsigned(slice3cost_column_0_16, 11);
   slice3window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_8,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_8_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_8_memory_read_enable,
+      read_address => slice3window_leaving_8_memory_read_address, read_data => slice3window_leaving_8,
+      write_address => slice3window_leaving_8_memory_write_address, write_data => slice3window_leaving_8_memory_write_data);
 
+  slice3window_leaving_7_memory_read_enable <= true;
+  slice3window_leaving_7_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
+  slice3window_leaving_7_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
   slice3window_leaving_7_memory_write_data <= to_unsigned(slice3cost_column_0_15, 11) & to_unsigned(slice3cost_column_0_14, 11);
   slice3window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_7,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_7_memory_read_enable,
+      read_address => slice3window_leaving_7_memory_read_address, read_data => slice3window_leaving_7,
+      write_address => slice3window_leaving_7_memory_write_address, write_data => slice3window_leaving_7_memory_write_data);
 
+  slice3window_leaving_6_memory_read_enable <= true;
+  slice3window_leaving_6_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
+  slice3window_leaving_6_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
   slice3window_leaving_6_memory_write_data <= to_unsigned(slice3cost_column_0_13, 11) & to_unsigned(slice3cost_column_0_12, 11);
   slice3window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_6,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_6_memory_read_enable,
+      read_address => slice3window_leaving_6_memory_read_address, read_data => slice3window_leaving_6,
+      write_address => slice3window_leaving_6_memory_write_address, write_data => slice3window_leaving_6_memory_write_data);
 
+  slice3window_leaving_5_memory_read_enable <= true;
+  slice3window_leaving_5_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
+  slice3window_leaving_5_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
   slice3window_leaving_5_memory_write_data <= to_unsigned(slice3cost_column_0_11, 11) & to_unsigned(slice3cost_column_0_10, 11);
   slice3window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_5,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_5_memory_read_enable,
+      read_address => slice3window_leaving_5_memory_read_address, read_data => slice3window_leaving_5,
+      write_address => slice3window_leaving_5_memory_write_address, write_data => slice3window_leaving_5_memory_write_data);
 
+  slice3window_leaving_4_memory_read_enable <= true;
+  slice3window_leaving_4_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
+  slice3window_leaving_4_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
   slice3window_leaving_4_memory_write_data <= to_unsigned(slice3cost_column_0_9, 11) & to_unsigned(slice3cost_column_0_8, 11);
   slice3window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_4,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_4_memory_read_enable,
+      read_address => slice3window_leaving_4_memory_read_address, read_data => slice3window_leaving_4,
+      write_address => slice3window_leaving_4_memory_write_address, write_data => slice3window_leaving_4_memory_write_data);
 
+  slice3window_leaving_3_memory_read_enable <= true;
+  slice3window_leaving_3_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
+  slice3window_leaving_3_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
   slice3window_leaving_3_memory_write_data <= to_unsigned(slice3cost_column_0_7, 11) & to_unsigned(slice3cost_column_0_6, 11);
   slice3window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_3,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_3_memory_read_enable,
+      read_address => slice3window_leaving_3_memory_read_address, read_data => slice3window_leaving_3,
+      write_address => slice3window_leaving_3_memory_write_address, write_data => slice3window_leaving_3_memory_write_data);
 
+  slice3window_leaving_2_memory_read_enable <= true;
+  slice3window_leaving_2_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
+  slice3window_leaving_2_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
   slice3window_leaving_2_memory_write_data <= to_unsigned(slice3cost_column_0_5, 11) & to_unsigned(slice3cost_column_0_4, 11);
   slice3window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_2,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_2_memory_read_enable,
+      read_address => slice3window_leaving_2_memory_read_address, read_data => slice3window_leaving_2,
+      write_address => slice3window_leaving_2_memory_write_address, write_data => slice3window_leaving_2_memory_write_data);
 
+  slice3window_leaving_1_memory_read_enable <= true;
+  slice3window_leaving_1_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
+  slice3window_leaving_1_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
   slice3window_leaving_1_memory_write_data <= to_unsigned(slice3cost_column_0_3, 11) & to_unsigned(slice3cost_column_0_2, 11);
   slice3window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_1,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_1_memory_read_enable,
+      read_address => slice3window_leaving_1_memory_read_address, read_data => slice3window_leaving_1,
+      write_address => slice3window_leaving_1_memory_write_address, write_data => slice3window_leaving_1_memory_write_data);
 
+  slice3window_leaving_0_memory_read_enable <= true;
+  slice3window_leaving_0_memory_read_address <= to_unsigned(slice3window_ring_read_address, 3);
+  slice3window_leaving_0_memory_write_address <= to_unsigned(slice3window_ring_write_address, 3);
   slice3window_leaving_0_memory_write_data <= to_unsigned(slice3cost_column_0_1, 11) & to_unsigned(slice3cost_column_0_0, 11);
   slice3window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_0,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_0_memory_read_enable,
+      read_address => slice3window_leaving_0_memory_read_address, read_data => slice3window_leaving_0,
+      write_address => slice3window_leaving_0_memory_write_address, write_data => slice3window_leaving_0_memory_write_data);
 
+  slice3cost_read_words_12_memory_read_enable <= true;
+  slice3cost_read_words_12_memory_read_address <= to_unsigned(slice0cost_write_column, 10);
+  slice3cost_read_words_12_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_12_memory_write_data <= to_unsigned(slice3cost_write_words_12, 11);
   slice3cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 640, width => 11)
+    generic map (depth => 640, width => 11, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_12,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_12_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_12_memory_read_enable,
+      read_address => slice3cost_read_words_12_memory_read_address, read_data => slice3cost_read_words_12,
+      write_address => slice3cost_read_words_12_memory_write_address, write_data => slice3cost_read_words_12_memory_write_data);
 
+  slice3cost_read_words_11_memory_read_enable <= true;
+  slice3cost_read_words_11_memory_read_address <= to_unsigned(slice0cost_write_column, 10);
+  slice3cost_read_words_11_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_11_memory_write_data <= to_unsigned(slice3cost_write_words_11, 22);
   slice3cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_11,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_11_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_11_memory_read_enable,
+      read_address => slice3cost_read_words_11_memory_read_address, read_data => slice3cost_read_words_11,
+      write_address => slice3cost_read_words_11_memory_write_address, write_data => slice3cost_read_words_11_memory_write_data);
 
+  slice3cost_read_words_10_memory_read_enable <= true;
+  slice3cost_read_words_10_memory_read_address <= to_unsigned(slice0cost_write_column, 10);
+  slice3cost_read_words_10_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_10_memory_write_data <= to_unsigned(slice3cost_write_words_10, 22);
   slice3cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_10,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_10_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_10_memory_read_enable,
+      read_address => slice3cost_read_words_10_memory_read_address, read_data => slice3cost_read_words_10,
+      write_address => slice3cost_read_words_10_memory_write_address, write_data => slice3cost_read_words_10_memory_write_data);
 
+  slice3cost_read_words_9_memory_read_enable <= true;
+  slice3cost_read_words_9_memory_read_address <= to_unsigned(slice0cost_write_column, 10);
+  slice3cost_read_words_9_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_9_memory_write_data <= to_unsigned(slice3cost_write_words_9, 22);
   slice3cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_9,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_9_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_9_memory_read_enable,
+      read_address => slice3cost_read_words_9_memory_read_address, read_data => slice3cost_read_words_9,
+      write_address => slice3cost_read_words_9_memory_write_address, write_data => slice3cost_read_words_9_memory_write_data);
 
+  slice3cost_read_words_8_memory_read_enable <= true;
+  slice3cost_read_words_8_memory_read_address <= to_unsigned(slice0cost_write_column, 10);
+  slice3cost_read_words_8_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_8_memory_write_data <= to_unsigned(slice3cost_write_words_8, 22);
   slice3cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_8,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_8_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_8_memory_read_enable,
+      read_address => slice3cost_read_words_8_memory_read_address, read_data => slice3cost_read_words_8,
+      write_address => slice3cost_read_words_8_memory_write_address, write_data => slice3cost_read_words_8_memory_write_data);
 
+  slice3cost_read_words_7_memory_read_enable <= true;
+  slice3cost_read_words_7_memory_read_address <= to_unsigned(slice0cost_write_column, 10);
+  slice3cost_read_words_7_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_7_memory_write_data <= to_unsigned(slice3cost_write_words_7, 22);
   slice3cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_7,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_7_memory_read_enable,
+      read_address => slice3cost_read_words_7_memory_read_address, read_data => slice3cost_read_words_7,
+      write_address => slice3cost_read_words_7_memory_write_address, write_data => slice3cost_read_words_7_memory_write_data);
 
+  slice3cost_read_words_6_memory_read_enable <= true;
+  slice3cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_write_column, 10);
+  slice3cost_read_words_6_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_6_memory_write_data <= to_unsigned(slice3cost_write_words_6, 22);
   slice3cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_6,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_6_memory_read_enable,
+      read_address => slice3cost_read_words_6_memory_read_address, read_data => slice3cost_read_words_6,
+      write_address => slice3cost_read_words_6_memory_write_address, write_data => slice3cost_read_words_6_memory_write_data);
 
+  slice3cost_read_words_5_memory_read_enable <= true;
+  slice3cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_write_column, 10);
+  slice3cost_read_words_5_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_5_memory_write_data <= to_unsigned(slice3cost_write_words_5, 22);
   slice3cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_5,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_5_memory_read_enable,
+      read_address => slice3cost_read_words_5_memory_read_address, read_data => slice3cost_read_words_5,
+      write_address => slice3cost_read_words_5_memory_write_address, write_data => slice3cost_read_words_5_memory_write_data);
 
+  slice3cost_read_words_4_memory_read_enable <= true;
+  slice3cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_write_column, 10);
+  slice3cost_read_words_4_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_4_memory_write_data <= to_unsigned(slice3cost_write_words_4, 22);
   slice3cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_4,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_4_memory_read_enable,
+      read_address => slice3cost_read_words_4_memory_read_address, read_data => slice3cost_read_words_4,
+      write_address => slice3cost_read_words_4_memory_write_address, write_data => slice3cost_read_words_4_memory_write_data);
 
+  slice3cost_read_words_3_memory_read_enable <= true;
+  slice3cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_write_column, 10);
+  slice3cost_read_words_3_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_3_memory_write_data <= to_unsigned(slice3cost_write_words_3, 22);
   slice3cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_3,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_3_memory_read_enable,
+      read_address => slice3cost_read_words_3_memory_read_address, read_data => slice3cost_read_words_3,
+      write_address => slice3cost_read_words_3_memory_write_address, write_data => slice3cost_read_words_3_memory_write_data);
 
+  slice3cost_read_words_2_memory_read_enable <= true;
+  slice3cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_write_column, 10);
+  slice3cost_read_words_2_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_2_memory_write_data <= to_unsigned(slice3cost_write_words_2, 22);
   slice3cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_2,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_2_memory_read_enable,
+      read_address => slice3cost_read_words_2_memory_read_address, read_data => slice3cost_read_words_2,
+      write_address => slice3cost_read_words_2_memory_write_address, write_data => slice3cost_read_words_2_memory_write_data);
 
+  slice3cost_read_words_1_memory_read_enable <= true;
+  slice3cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_write_column, 10);
+  slice3cost_read_words_1_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_1_memory_write_data <= to_unsigned(slice3cost_write_words_1, 22);
   slice3cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_1,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_1_memory_read_enable,
+      read_address => slice3cost_read_words_1_memory_read_address, read_data => slice3cost_read_words_1,
+      write_address => slice3cost_read_words_1_memory_write_address, write_data => slice3cost_read_words_1_memory_write_data);
 
+  slice3cost_read_words_0_memory_read_enable <= true;
+  slice3cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_write_column, 10);
+  slice3cost_read_words_0_memory_write_address <= to_unsigned(slice5cost_change_column, 10);
   slice3cost_read_words_0_memory_write_data <= to_unsigned(slice3cost_write_words_0, 22);
   slice3cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_write_column, read_data => slice3cost_read_words_0,
-      write_address => slice5cost_change_column, write_data => slice3cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_0_memory_read_enable,
+      read_address => slice3cost_read_words_0_memory_read_address, read_data => slice3cost_read_words_0,
+      write_address => slice3cost_read_words_0_memory_write_address, write_data => slice3cost_read_words_0_memory_write_data);
 
+  slice2window_leaving_12_memory_read_enable <= true;
+  slice2window_leaving_12_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_12_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_12_memory_write_data <= to_unsigned(slice2cost_column_0_24, 11);
   slice2window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 8, width => 11)
+    generic map (depth => 8, width => 11, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_12,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_12_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_12_memory_read_enable,
+      read_address => slice2window_leaving_12_memory_read_address, read_data => slice2window_leaving_12,
+      write_address => slice2window_leaving_12_memory_write_address, write_data => slice2window_leaving_12_memory_write_data);
 
+  slice2window_leaving_11_memory_read_enable <= true;
+  slice2window_leaving_11_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_11_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_11_memory_write_data <= to_unsigned(slice2cost_column_0_23, 11) & to_unsigned(slice2cost_column_0_22, 11);
   slice2window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_11,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_11_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_11_memory_read_enable,
+      read_address => slice2window_leaving_11_memory_read_address, read_data => slice2window_leaving_11,
+      write_address => slice2window_leaving_11_memory_write_address, write_data => slice2window_leaving_11_memory_write_data);
 
+  slice2window_leaving_10_memory_read_enable <= true;
+  slice2window_leaving_10_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_10_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_10_memory_write_data <= to_unsigned(slice2cost_column_0_21, 11) & to_unsigned(slice2cost_column_0_20, 11);
   slice2window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_10,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_10_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_10_memory_read_enable,
+      read_address => slice2window_leaving_10_memory_read_address, read_data => slice2window_leaving_10,
+      write_address => slice2window_leaving_10_memory_write_address, write_data => slice2window_leaving_10_memory_write_data);
 
+  slice2window_leaving_9_memory_read_enable <= true;
+  slice2window_leaving_9_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_9_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_9_memory_write_data <= to_unsigned(slice2cost_column_0_19, 11) & to_unsigned(slice2cost_column_0_18, 11);
   slice2window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_9,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_9_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_9_memory_read_enable,
+      read_address => slice2window_leaving_9_memory_read_address, read_data => slice2window_leaving_9,
+      write_address => slice2window_leaving_9_memory_write_address, write_data => slice2window_leaving_9_memory_write_data);
 
+  slice2window_leaving_8_memory_read_enable <= true;
+  slice2window_leaving_8_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_8_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_8_memory_write_data <= to_unsigned(slice2cost_column_0_17, 11) & to_unsigned(slice2cost_column_0_16, 11);
   slice2window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_8,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_8_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_8_memory_read_enable,
+      read_address => slice2window_leaving_8_memory_read_address, read_data => slice2window_leaving_8,
+      write_address => slice2window_leaving_8_memory_write_address, write_data => slice2window_leaving_8_memory_write_data);
 
+  slice2window_leaving_7_memory_read_enable <= true;
+  slice2window_leaving_7_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_7_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_7_memory_write_data <= to_unsigned(slice2cost_column_0_15, 11) & to_unsigned(slice2cost_column_0_14, 11);
   slice2window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_7,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_7_memory_read_enable,
+      read_address => slice2window_leaving_7_memory_read_address, read_data => slice2window_leaving_7,
+      write_address => slice2window_leaving_7_memory_write_address, write_data => slice2window_leaving_7_memory_write_data);
 
+  slice2window_leaving_6_memory_read_enable <= true;
+  slice2window_leaving_6_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_6_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_6_memory_write_data <= to_unsigned(slice2cost_column_0_13, 11) & to_unsigned(slice2cost_column_0_12, 11);
   slice2window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_6,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_6_memory_read_enable,
+      read_address => slice2window_leaving_6_memory_read_address, read_data => slice2window_leaving_6,
+      write_address => slice2window_leaving_6_memory_write_address, write_data => slice2window_leaving_6_memory_write_data);
 
+  slice2window_leaving_5_memory_read_enable <= true;
+  slice2window_leaving_5_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_5_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_5_memory_write_data <= to_unsigned(slice2cost_column_0_11, 11) & to_unsigned(slice2cost_column_0_10, 11);
   slice2window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_5,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_5_memory_read_enable,
+      read_address => slice2window_leaving_5_memory_read_address, read_data => slice2window_leaving_5,
+      write_address => slice2window_leaving_5_memory_write_address, write_data => slice2window_leaving_5_memory_write_data);
 
+  slice2window_leaving_4_memory_read_enable <= true;
+  slice2window_leaving_4_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_4_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_4_memory_write_data <= to_unsigned(slice2cost_column_0_9, 11) & to_unsigned(slice2cost_column_0_8, 11);
   slice2window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_4,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_4_memory_read_enable,
+      read_address => slice2window_leaving_4_memory_read_address, read_data => slice2window_leaving_4,
+      write_address => slice2window_leaving_4_memory_write_address, write_data => slice2window_leaving_4_memory_write_data);
 
+  slice2window_leaving_3_memory_read_enable <= true;
+  slice2window_leaving_3_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_3_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_3_memory_write_data <= to_unsigned(slice2cost_column_0_7, 11) & to_unsigned(slice2cost_column_0_6, 11);
   slice2window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_3,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_3_memory_read_enable,
+      read_address => slice2window_leaving_3_memory_read_address, read_data => slice2window_leaving_3,
+      write_address => slice2window_leaving_3_memory_write_address, write_data => slice2window_leaving_3_memory_write_data);
 
+  slice2window_leaving_2_memory_read_enable <= true;
+  slice2window_leaving_2_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_2_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_2_memory_write_data <= to_unsigned(slice2cost_column_0_5, 11) & to_unsigned(slice2cost_column_0_4, 11);
   slice2window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_2,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_2_memory_read_enable,
+      read_address => slice2window_leaving_2_memory_read_address, read_data => slice2window_leaving_2,
+      write_address => slice2window_leaving_2_memory_write_address, write_data => slice2window_leaving_2_memory_write_data);
 
+  slice2window_leaving_1_memory_read_enable <= true;
+  slice2window_leaving_1_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_1_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_1_memory_write_data <= to_unsigned(slice2cost_column_0_3, 11) & to_unsigned(slice2cost_column_0_2, 11);
   slice2window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_1,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_1_memory_read_enable,
+      read_address => slice2window_leaving_1_memory_read_address, read_data => slice2window_leaving_1,
+      write_address => slice2window_leaving_1_memory_write_address, write_data => slice2window_leaving_1_memory_write_data);
 
+  slice2window_leaving_0_memory_read_enable <= true;
+  slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0_1, 11) & to_unsigned(slice2cost_column_0_0, 11);
   slice2window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_0,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
+      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving_0,
+      write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
 
+  slice2cost_read_words_12_memory_read_enable <= true;
+  slice2cost_read_words_12_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_12_memory_write_address <= to_unsigned(slice5cost_read_column, 10);
   slice2cost_read_words_12_memory_write_data <= to_unsigned(slice2cost_write_words_12, 11);
   slice2cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 640, width => 11)
+    generic map (depth => 640, width => 11, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_12,
-      write_address => slice5cost_read_column, write_data => slice2cost_read_words_12_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_12_memory_read_enable,
+      read_address => slice2cost_read_words_12_memory_read_address, read_data => slice2cost_read_words_12,
+      write_address => slice2cost_read_words_12_memory_write_address, write_data => slice2cost_read_words_12_memory_write_data);
 
+  slice2cost_read_words_11_memory_read_enable <= true;
+  slice2cost_read_words_11_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_11_memory_write_address <= to_unsigned(slice5cost_read_column, 10);
   slice2cost_read_words_11_memory_write_data <= to_unsigned(slice2cost_write_words_11, 22);
   slice2cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_11,
-      write_address => slice5cost_read_column, write_data => slice2cost_read_words_11_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_11_memory_read_enable,
+      read_address => slice2cost_read_words_11_memory_read_address, read_data => slice2cost_read_words_11,
+      write_address => slice2cost_read_words_11_memory_write_address, write_data => slice2cost_read_words_11_memory_write_data);
 
+  slice2cost_read_words_10_memory_read_enable <= true;
+  slice2cost_read_words_10_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_10_memory_write_address <= to_unsigned(slice5cost_read_column, 10);
   slice2cost_read_words_10_memory_write_data <= to_unsigned(slice2cost_write_words_10, 22);
   slice2cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_10,
-      write_address => slice5cost_read_column, write_data => slice2cost_read_words_10_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_10_memory_read_enable,
+      read_address => slice2cost_read_words_10_memory_read_address, read_data => slice2cost_read_words_10,
+      write_address => slice2cost_read_words_10_memory_write_address, write_data => slice2cost_read_words_10_memory_write_data);
 
+  slice2cost_read_words_9_memory_read_enable <= true;
+  slice2cost_read_words_9_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_9_memory_write_address <= to_unsigned(slice5cost_read_column, 10);
   slice2cost_read_words_9_memory_write_data <= to_unsigned(slice2cost_write_words_9, 22);
   slice2cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_9,
-      write_address => slice5cost_read_column, write_data => slice2cost_read_words_9_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_9_memory_read_enable,
+      read_address => slice2cost_read_words_9_memory_read_address, read_data => slice2cost_read_words_9,
+      write_address => slice2cost_read_words_9_memory_write_address, write_data => slice2cost_read_words_9_memory_write_data);
 
+  slice2cost_read_words_8_memory_read_enable <= true;
+  slice2cost_read_words_8_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_8_memory_write_address <= to_unsigned(slice5cost_read_column, 10);
   slice2cost_read_words_8_memory_write_data <= to_unsigned(slice2cost_write_words_8, 22);
   slice2cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_8,
-      write_address => slice5cost_read_column, write_data => slice2cost_read_words_8_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_8_memory_read_enable,
+      read_address => slice2cost_read_words_8_memory_read_address, read_data => slice2cost_read_words_8,
+      write_address => slice2cost_read_words_8_memory_write_address, write_data => slice2cost_read_words_8_memory_write_data);
 
+  slice2cost_read_words_7_memory_read_enable <= true;
+  slice2cost_read_words_7_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_7_memory_write_address <= to_unsigned(slice5cost_read_column, 10);
   slice2cost_read_words_7_memory_write_data <= to_unsigned(slice2cost_write_words_7, 22);
   slice2cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_7,
-      write_address => slice5cost_read_column, write_data => slice2cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_7_memory_read_enable,
+      read_address => slice2cost_read_words_7_memory_read_address, read_data => slice2cost_read_words_7,
+      write_address => slice2cost_read_words_7_memory_write_address, write_data => slice2cost_read_words_7_memory_write_data);
 
+  slice2cost_read_words_6_memory_read_enable <= true;
+  slice2cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_6_memory_write_address <= to_unsigned(slice5cost_read_column, 10);
   slice2cost_read_words_6_memory_write_data <= to_unsigned(slice2cost_write_words_6, 22);
   slice2cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_6,
-      write_address => slice5cost_read_column, write_data => slice2cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_6_memory_read_enable,
+      read_address => slice2cost_read_words_6_memory_read_address, read_data => slice2cost_read_words_6,
+      write_address => slice2cost_read_words_6_memory_write_address, write_data => slice2cost_read_words_6_memory_write_data);
 
+  slice2cost_read_words_5_memory_read_enable <= true;
+  slice2cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_5_memory_write_address <= to_unsigned(slice5cost_read_column, 10);
   slice2cost_read_words_5_memory_write_data <= to_unsigned(slice2cost_write_words_5, 22);
   slice2cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_5,
-      write_address => slice5cost_read_column, write_data => slice2cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_5_memory_read_enable,
+      read_address => slice2cost_read_words_5_memory_read_address, read_data => slice2cost_read_words_5,
+      write_address => slice2cost_read_words_5_memory_write_address, write_data => slice2cost_read_words_5_memory_write_data);
 
+  slice2cost_read_words_4_memory_read_enable <= true;
+  slice2cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_4_memory_write_address <= to_unsigned(slice5cost_read_column, 10);
   slice2cost_read_words_4_memory_write_data <= to_unsigned(slice2cost_write_words_4, 22);
   slice2cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_4,
-      write_address => slice5cost_read_column, write_data => slice2cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_4_memory_read_enable,
+      read_address => slice2cost_read_words_4_memory_read_address, read_data => slice2cost_read_words_4,
+      write_address => slice2cost_read_words_4_memory_write_address, write_data => slice2cost_read_words_4_memory_write_data);
 
+  slice2cost_read_words_3_memory_read_enable <= true;
+  slice2cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_3_memory_write_address <= to_unsigned(slice5cost_read_column, 10);
   slice2cost_read_words_3_memory_write_data <= to_unsigned(slice2cost_write_words_3, 22);
   slice2cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_3,
-      write_address => slice5cost_read_column, write_data => slice2cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_3_memory_read_enable,
+      read_address => slice2cost_read_words_3_memory_read_address, read_data => slice2cost_read_words_3,
+      write_address => slice2cost_read_words_3_memory_write_address, write_data => slice2cost_read_words_3_memory_write_data);
 
+  slice2cost_read_words_2_memory_read_enable <= true;
+  slice2cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_2_memory_write_address <= to_unsigned(slice5cost_read_column, 10);
   slice2cost_read_words_2_memory_write_data <= to_unsigned(slice2cost_write_words_2, 22);
   slice2cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_2,
-      write_address => slice5cost_read_column, write_data => slice2cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_2_memory_read_enable,
+      read_address => slice2cost_read_words_2_memory_read_address, read_data => slice2cost_read_words_2,
+      write_address => slice2cost_read_words_2_memory_write_address, write_data => slice2cost_read_words_2_memory_write_data);
 
+  slice2cost_read_words_1_memory_read_enable <= true;
+  slice2cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_1_memory_write_address <= to_unsigned(slice5cost_read_column, 10);
   slice2cost_read_words_1_memory_write_data <= to_unsigned(slice2cost_write_words_1, 22);
   slice2cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_1,
-      write_address => slice5cost_read_column, write_data => slice2cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_1_memory_read_enable,
+      read_address => slice2cost_read_words_1_memory_read_address, read_data => slice2cost_read_words_1,
+      write_address => slice2cost_read_words_1_memory_write_address, write_data => slice2cost_read_words_1_memory_write_data);
 
+  slice2cost_read_words_0_memory_read_enable <= true;
+  slice2cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_ready_column, 10);
+  slice2cost_read_words_0_memory_write_address <= to_unsigned(slice5cost_read_column, 10);
   slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words_0, 22);
   slice2cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_0,
-      write_address => slice5cost_read_column, write_data => slice2cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
+      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words_0,
+      write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
 
+  slice1window_leaving_12_memory_read_enable <= true;
+  slice1window_leaving_12_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_12_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_12_memory_write_data <= to_unsigned(slice1cost_column_0_24, 11);
   slice1window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 8, width => 11)
+    generic map (depth => 8, width => 11, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_12,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_12_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_12_memory_read_enable,
+      read_address => slice1window_leaving_12_memory_read_address, read_data => slice1window_leaving_12,
+      write_address => slice1window_leaving_12_memory_write_address, write_data => slice1window_leaving_12_memory_write_data);
 
+  slice1window_leaving_11_memory_read_enable <= true;
+  slice1window_leaving_11_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_11_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_11_memory_write_data <= to_unsigned(slice1cost_column_0_23, 11) & to_unsigned(slice1cost_column_0_22, 11);
   slice1window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_11,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_11_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_11_memory_read_enable,
+      read_address => slice1window_leaving_11_memory_read_address, read_data => slice1window_leaving_11,
+      write_address => slice1window_leaving_11_memory_write_address, write_data => slice1window_leaving_11_memory_write_data);
 
+  slice1window_leaving_10_memory_read_enable <= true;
+  slice1window_leaving_10_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_10_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_10_memory_write_data <= to_unsigned(slice1cost_column_0_21, 11) & to_unsigned(slice1cost_column_0_20, 11);
   slice1window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_10,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_10_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_10_memory_read_enable,
+      read_address => slice1window_leaving_10_memory_read_address, read_data => slice1window_leaving_10,
+      write_address => slice1window_leaving_10_memory_write_address, write_data => slice1window_leaving_10_memory_write_data);
 
+  slice1window_leaving_9_memory_read_enable <= true;
+  slice1window_leaving_9_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_9_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_9_memory_write_data <= to_unsigned(slice1cost_column_0_19, 11) & to_unsigned(slice1cost_column_0_18, 11);
   slice1window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_9,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_9_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_9_memory_read_enable,
+      read_address => slice1window_leaving_9_memory_read_address, read_data => slice1window_leaving_9,
+      write_address => slice1window_leaving_9_memory_write_address, write_data => slice1window_leaving_9_memory_write_data);
 
+  slice1window_leaving_8_memory_read_enable <= true;
+  slice1window_leaving_8_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_8_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_8_memory_write_data <= to_unsigned(slice1cost_column_0_17, 11) & to_unsigned(slice1cost_column_0_16, 11);
   slice1window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_8,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_8_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_8_memory_read_enable,
+      read_address => slice1window_leaving_8_memory_read_address, read_data => slice1window_leaving_8,
+      write_address => slice1window_leaving_8_memory_write_address, write_data => slice1window_leaving_8_memory_write_data);
 
+  slice1window_leaving_7_memory_read_enable <= true;
+  slice1window_leaving_7_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_7_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_7_memory_write_data <= to_unsigned(slice1cost_column_0_15, 11) & to_unsigned(slice1cost_column_0_14, 11);
   slice1window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_7,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_7_memory_read_enable,
+      read_address => slice1window_leaving_7_memory_read_address, read_data => slice1window_leaving_7,
+      write_address => slice1window_leaving_7_memory_write_address, write_data => slice1window_leaving_7_memory_write_data);
 
+  slice1window_leaving_6_memory_read_enable <= true;
+  slice1window_leaving_6_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_6_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_6_memory_write_data <= to_unsigned(slice1cost_column_0_13, 11) & to_unsigned(slice1cost_column_0_12, 11);
   slice1window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_6,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_6_memory_read_enable,
+      read_address => slice1window_leaving_6_memory_read_address, read_data => slice1window_leaving_6,
+      write_address => slice1window_leaving_6_memory_write_address, write_data => slice1window_leaving_6_memory_write_data);
 
+  slice1window_leaving_5_memory_read_enable <= true;
+  slice1window_leaving_5_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_5_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_5_memory_write_data <= to_unsigned(slice1cost_column_0_11, 11) & to_unsigned(slice1cost_column_0_10, 11);
   slice1window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_5,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_5_memory_read_enable,
+      read_address => slice1window_leaving_5_memory_read_address, read_data => slice1window_leaving_5,
+      write_address => slice1window_leaving_5_memory_write_address, write_data => slice1window_leaving_5_memory_write_data);
 
+  slice1window_leaving_4_memory_read_enable <= true;
+  slice1window_leaving_4_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_4_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_4_memory_write_data <= to_unsigned(slice1cost_column_0_9, 11) & to_unsigned(slice1cost_column_0_8, 11);
   slice1window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_4,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_4_memory_read_enable,
+      read_address => slice1window_leaving_4_memory_read_address, read_data => slice1window_leaving_4,
+      write_address => slice1window_leaving_4_memory_write_address, write_data => slice1window_leaving_4_memory_write_data);
 
+  slice1window_leaving_3_memory_read_enable <= true;
+  slice1window_leaving_3_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_3_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0_7, 11) & to_unsigned(slice1cost_column_0_6, 11);
   slice1window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_3,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_3_memory_read_enable,
+      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving_3,
+      write_address => slice1window_leaving_3_memory_write_address, write_data => slice1window_leaving_3_memory_write_data);
 
+  slice1window_leaving_2_memory_read_enable <= true;
+  slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0_5, 11) & to_unsigned(slice1cost_column_0_4, 11);
   slice1window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_2,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
+      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving_2,
+      write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
 
+  slice1window_leaving_1_memory_read_enable <= true;
+  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0_3, 11) & to_unsigned(slice1cost_column_0_2, 11);
   slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_1,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
+      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving_1,
+      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
 
+  slice1window_leaving_0_memory_read_enable <= true;
+  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_1, 11) & to_unsigned(slice1cost_column_0_0, 11);
   slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_0,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
+      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving_0,
+      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
 
+  slice1cost_read_words_12_memory_read_enable <= true;
+  slice1cost_read_words_12_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_12_memory_write_address <= to_unsigned(slice4cost_read_column, 10);
   slice1cost_read_words_12_memory_write_data <= to_unsigned(slice1cost_write_words_12, 11);
   slice1cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 640, width => 11)
+    generic map (depth => 640, width => 11, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_12,
-      write_address => slice4cost_read_column, write_data => slice1cost_read_words_12_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_12_memory_read_enable,
+      read_address => slice1cost_read_words_12_memory_read_address, read_data => slice1cost_read_words_12,
+      write_address => slice1cost_read_words_12_memory_write_address, write_data => slice1cost_read_words_12_memory_write_data);
 
+  slice1cost_read_words_11_memory_read_enable <= true;
+  slice1cost_read_words_11_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_11_memory_write_address <= to_unsigned(slice4cost_read_column, 10);
   slice1cost_read_words_11_memory_write_data <= to_unsigned(slice1cost_write_words_11, 22);
   slice1cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_11,
-      write_address => slice4cost_read_column, write_data => slice1cost_read_words_11_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_11_memory_read_enable,
+      read_address => slice1cost_read_words_11_memory_read_address, read_data => slice1cost_read_words_11,
+      write_address => slice1cost_read_words_11_memory_write_address, write_data => slice1cost_read_words_11_memory_write_data);
 
+  slice1cost_read_words_10_memory_read_enable <= true;
+  slice1cost_read_words_10_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_10_memory_write_address <= to_unsigned(slice4cost_read_column, 10);
   slice1cost_read_words_10_memory_write_data <= to_unsigned(slice1cost_write_words_10, 22);
   slice1cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_10,
-      write_address => slice4cost_read_column, write_data => slice1cost_read_words_10_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_10_memory_read_enable,
+      read_address => slice1cost_read_words_10_memory_read_address, read_data => slice1cost_read_words_10,
+      write_address => slice1cost_read_words_10_memory_write_address, write_data => slice1cost_read_words_10_memory_write_data);
 
+  slice1cost_read_words_9_memory_read_enable <= true;
+  slice1cost_read_words_9_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_9_memory_write_address <= to_unsigned(slice4cost_read_column, 10);
   slice1cost_read_words_9_memory_write_data <= to_unsigned(slice1cost_write_words_9, 22);
   slice1cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_9,
-      write_address => slice4cost_read_column, write_data => slice1cost_read_words_9_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_9_memory_read_enable,
+      read_address => slice1cost_read_words_9_memory_read_address, read_data => slice1cost_read_words_9,
+      write_address => slice1cost_read_words_9_memory_write_address, write_data => slice1cost_read_words_9_memory_write_data);
 
+  slice1cost_read_words_8_memory_read_enable <= true;
+  slice1cost_read_words_8_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_8_memory_write_address <= to_unsigned(slice4cost_read_column, 10);
   slice1cost_read_words_8_memory_write_data <= to_unsigned(slice1cost_write_words_8, 22);
   slice1cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_8,
-      write_address => slice4cost_read_column, write_data => slice1cost_read_words_8_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_8_memory_read_enable,
+      read_address => slice1cost_read_words_8_memory_read_address, read_data => slice1cost_read_words_8,
+      write_address => slice1cost_read_words_8_memory_write_address, write_data => slice1cost_read_words_8_memory_write_data);
 
+  slice1cost_read_words_7_memory_read_enable <= true;
+  slice1cost_read_words_7_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_7_memory_write_address <= to_unsigned(slice4cost_read_column, 10);
   slice1cost_read_words_7_memory_write_data <= to_unsigned(slice1cost_write_words_7, 22);
   slice1cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_7,
-      write_address => slice4cost_read_column, write_data => slice1cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_7_memory_read_enable,
+      read_address => slice1cost_read_words_7_memory_read_address, read_data => slice1cost_read_words_7,
+      write_address => slice1cost_read_words_7_memory_write_address, write_data => slice1cost_read_words_7_memory_write_data);
 
+  slice1cost_read_words_6_memory_read_enable <= true;
+  slice1cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_6_memory_write_address <= to_unsigned(slice4cost_read_column, 10);
   slice1cost_read_words_6_memory_write_data <= to_unsigned(slice1cost_write_words_6, 22);
   slice1cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_6,
-      write_address => slice4cost_read_column, write_data => slice1cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_6_memory_read_enable,
+      read_address => slice1cost_read_words_6_memory_read_address, read_data => slice1cost_read_words_6,
+      write_address => slice1cost_read_words_6_memory_write_address, write_data => slice1cost_read_words_6_memory_write_data);
 
+  slice1cost_read_words_5_memory_read_enable <= true;
+  slice1cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_5_memory_write_address <= to_unsigned(slice4cost_read_column, 10);
   slice1cost_read_words_5_memory_write_data <= to_unsigned(slice1cost_write_words_5, 22);
   slice1cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_5,
-      write_address => slice4cost_read_column, write_data => slice1cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_5_memory_read_enable,
+      read_address => slice1cost_read_words_5_memory_read_address, read_data => slice1cost_read_words_5,
+      write_address => slice1cost_read_words_5_memory_write_address, write_data => slice1cost_read_words_5_memory_write_data);
 
+  slice1cost_read_words_4_memory_read_enable <= true;
+  slice1cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_4_memory_write_address <= to_unsigned(slice4cost_read_column, 10);
   slice1cost_read_words_4_memory_write_data <= to_unsigned(slice1cost_write_words_4, 22);
   slice1cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_4,
-      write_address => slice4cost_read_column, write_data => slice1cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_4_memory_read_enable,
+      read_address => slice1cost_read_words_4_memory_read_address, read_data => slice1cost_read_words_4,
+      write_address => slice1cost_read_words_4_memory_write_address, write_data => slice1cost_read_words_4_memory_write_data);
 
+  slice1cost_read_words_3_memory_read_enable <= true;
+  slice1cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_3_memory_write_address <= to_unsigned(slice4cost_read_column, 10);
   slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words_3, 22);
   slice1cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_3,
-      write_address => slice4cost_read_column, write_data => slice1cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_3_memory_read_enable,
+      read_address => slice1cost_read_words_3_memory_read_address, read_data => slice1cost_read_words_3,
+      write_address => slice1cost_read_words_3_memory_write_address, write_data => slice1cost_read_words_3_memory_write_data);
 
+  slice1cost_read_words_2_memory_read_enable <= true;
+  slice1cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_2_memory_write_address <= to_unsigned(slice4cost_read_column, 10);
   slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words_2, 22);
   slice1cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_2,
-      write_address => slice4cost_read_column, write_data => slice1cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_2_memory_read_enable,
+      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words_2,
+      write_address => slice1cost_read_words_2_memory_write_address, write_data => slice1cost_read_words_2_memory_write_data);
 
+  slice1cost_read_words_1_memory_read_enable <= true;
+  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice4cost_read_column, 10);
   slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 22);
   slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
-      write_address => slice4cost_read_column, write_data => slice1cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
+      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words_1,
+      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
 
+  slice1cost_read_words_0_memory_read_enable <= true;
+  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 10);
+  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice4cost_read_column, 10);
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 22);
   slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
-      write_address => slice4cost_read_column, write_data => slice1cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
+      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words_0,
+      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
 
+  slice0window_leaving_12_memory_read_enable <= true;
+  slice0window_leaving_12_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_12_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_12_memory_write_data <= to_unsigned(slice0cost_column_0_24, 11);
   slice0window_leaving_12_memory : entity work.line_memory
-    generic map (depth => 8, width => 11)
+    generic map (depth => 8, width => 11, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_12,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_12_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_12_memory_read_enable,
+      read_address => slice0window_leaving_12_memory_read_address, read_data => slice0window_leaving_12,
+      write_address => slice0window_leaving_12_memory_write_address, write_data => slice0window_leaving_12_memory_write_data);
 
+  slice0window_leaving_11_memory_read_enable <= true;
+  slice0window_leaving_11_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_11_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_11_memory_write_data <= to_unsigned(slice0cost_column_0_23, 11) & to_unsigned(slice0cost_column_0_22, 11);
   slice0window_leaving_11_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_11,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_11_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_11_memory_read_enable,
+      read_address => slice0window_leaving_11_memory_read_address, read_data => slice0window_leaving_11,
+      write_address => slice0window_leaving_11_memory_write_address, write_data => slice0window_leaving_11_memory_write_data);
 
+  slice0window_leaving_10_memory_read_enable <= true;
+  slice0window_leaving_10_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_10_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_10_memory_write_data <= to_unsigned(slice0cost_column_0_21, 11) & to_unsigned(slice0cost_column_0_20, 11);
   slice0window_leaving_10_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_10,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_10_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_10_memory_read_enable,
+      read_address => slice0window_leaving_10_memory_read_address, read_data => slice0window_leaving_10,
+      write_address => slice0window_leaving_10_memory_write_address, write_data => slice0window_leaving_10_memory_write_data);
 
+  slice0window_leaving_9_memory_read_enable <= true;
+  slice0window_leaving_9_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_9_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_9_memory_write_data <= to_unsigned(slice0cost_column_0_19, 11) & to_unsigned(slice0cost_column_0_18, 11);
   slice0window_leaving_9_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_9,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_9_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_9_memory_read_enable,
+      read_address => slice0window_leaving_9_memory_read_address, read_data => slice0window_leaving_9,
+      write_address => slice0window_leaving_9_memory_write_address, write_data => slice0window_leaving_9_memory_write_data);
 
+  slice0window_leaving_8_memory_read_enable <= true;
+  slice0window_leaving_8_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_8_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_8_memory_write_data <= to_unsigned(slice0cost_column_0_17, 11) & to_unsigned(slice0cost_column_0_16, 11);
   slice0window_leaving_8_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_8,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_8_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_8_memory_read_enable,
+      read_address => slice0window_leaving_8_memory_read_address, read_data => slice0window_leaving_8,
+      write_address => slice0window_leaving_8_memory_write_address, write_data => slice0window_leaving_8_memory_write_data);
 
+  slice0window_leaving_7_memory_read_enable <= true;
+  slice0window_leaving_7_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_7_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_7_memory_write_data <= to_unsigned(slice0cost_column_0_15, 11) & to_unsigned(slice0cost_column_0_14, 11);
   slice0window_leaving_7_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_7,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_7_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_7_memory_read_enable,
+      read_address => slice0window_leaving_7_memory_read_address, read_data => slice0window_leaving_7,
+      write_address => slice0window_leaving_7_memory_write_address, write_data => slice0window_leaving_7_memory_write_data);
 
+  slice0window_leaving_6_memory_read_enable <= true;
+  slice0window_leaving_6_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_6_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_6_memory_write_data <= to_unsigned(slice0cost_column_0_13, 11) & to_unsigned(slice0cost_column_0_12, 11);
   slice0window_leaving_6_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_6,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_6_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_6_memory_read_enable,
+      read_address => slice0window_leaving_6_memory_read_address, read_data => slice0window_leaving_6,
+      write_address => slice0window_leaving_6_memory_write_address, write_data => slice0window_leaving_6_memory_write_data);
 
+  slice0window_leaving_5_memory_read_enable <= true;
+  slice0window_leaving_5_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_5_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_5_memory_write_data <= to_unsigned(slice0cost_column_0_11, 11) & to_unsigned(slice0cost_column_0_10, 11);
   slice0window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_5,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_5_memory_read_enable,
+      read_address => slice0window_leaving_5_memory_read_address, read_data => slice0window_leaving_5,
+      write_address => slice0window_leaving_5_memory_write_address, write_data => slice0window_leaving_5_memory_write_data);
 
+  slice0window_leaving_4_memory_read_enable <= true;
+  slice0window_leaving_4_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_4_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_4_memory_write_data <= to_unsigned(slice0cost_column_0_9, 11) & to_unsigned(slice0cost_column_0_8, 11);
   slice0window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_4,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_4_memory_read_enable,
+      read_address => slice0window_leaving_4_memory_read_address, read_data => slice0window_leaving_4,
+      write_address => slice0window_leaving_4_memory_write_address, write_data => slice0window_leaving_4_memory_write_data);
 
+  slice0window_leaving_3_memory_read_enable <= true;
+  slice0window_leaving_3_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_3_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0_7, 11) & to_unsigned(slice0cost_column_0_6, 11);
   slice0window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_3,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_3_memory_read_enable,
+      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving_3,
+      write_address => slice0window_leaving_3_memory_write_address, write_data => slice0window_leaving_3_memory_write_data);
 
+  slice0window_leaving_2_memory_read_enable <= true;
+  slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0_5, 11) & to_unsigned(slice0cost_column_0_4, 11);
   slice0window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_2,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
+      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving_2,
+      write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
 
+  slice0window_leaving_1_memory_read_enable <= true;
+  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0_3, 11) & to_unsigned(slice0cost_column_0_2, 11);
   slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_1,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
+      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving_1,
+      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
 
+  slice0window_leaving_0_memory_read_enable <= true;
+  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_1, 11) & to_unsigned(slice0cost_column_0_0, 11);
   slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
+      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
+  slice0cost_read_words_12_memory_read_enable <= true;
+  slice0cost_read_words_12_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_12_memory_write_address <= to_unsigned(slice3cost_read_column, 10);
   slice0cost_read_words_12_memory_write_data <= to_unsigned(slice0cost_write_words_12, 11);
   slice0cost_read_words_12_memory : entity work.line_memory
-    generic map (depth => 640, width => 11)
+    generic map (depth => 640, width => 11, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_12,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_12_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_12_memory_read_enable,
+      read_address => slice0cost_read_words_12_memory_read_address, read_data => slice0cost_read_words_12,
+      write_address => slice0cost_read_words_12_memory_write_address, write_data => slice0cost_read_words_12_memory_write_data);
 
+  slice0cost_read_words_11_memory_read_enable <= true;
+  slice0cost_read_words_11_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_11_memory_write_address <= to_unsigned(slice3cost_read_column, 10);
   slice0cost_read_words_11_memory_write_data <= to_unsigned(slice0cost_write_words_11, 22);
   slice0cost_read_words_11_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_11,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_11_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_11_memory_read_enable,
+      read_address => slice0cost_read_words_11_memory_read_address, read_data => slice0cost_read_words_11,
+      write_address => slice0cost_read_words_11_memory_write_address, write_data => slice0cost_read_words_11_memory_write_data);
 
+  slice0cost_read_words_10_memory_read_enable <= true;
+  slice0cost_read_words_10_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_10_memory_write_address <= to_unsigned(slice3cost_read_column, 10);
   slice0cost_read_words_10_memory_write_data <= to_unsigned(slice0cost_write_words_10, 22);
   slice0cost_read_words_10_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_10,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_10_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_10_memory_read_enable,
+      read_address => slice0cost_read_words_10_memory_read_address, read_data => slice0cost_read_words_10,
+      write_address => slice0cost_read_words_10_memory_write_address, write_data => slice0cost_read_words_10_memory_write_data);
 
+  slice0cost_read_words_9_memory_read_enable <= true;
+  slice0cost_read_words_9_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_9_memory_write_address <= to_unsigned(slice3cost_read_column, 10);
   slice0cost_read_words_9_memory_write_data <= to_unsigned(slice0cost_write_words_9, 22);
   slice0cost_read_words_9_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_9,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_9_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_9_memory_read_enable,
+      read_address => slice0cost_read_words_9_memory_read_address, read_data => slice0cost_read_words_9,
+      write_address => slice0cost_read_words_9_memory_write_address, write_data => slice0cost_read_words_9_memory_write_data);
 
+  slice0cost_read_words_8_memory_read_enable <= true;
+  slice0cost_read_words_8_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_8_memory_write_address <= to_unsigned(slice3cost_read_column, 10);
   slice0cost_read_words_8_memory_write_data <= to_unsigned(slice0cost_write_words_8, 22);
   slice0cost_read_words_8_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_8,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_8_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_8_memory_read_enable,
+      read_address => slice0cost_read_words_8_memory_read_address, read_data => slice0cost_read_words_8,
+      write_address => slice0cost_read_words_8_memory_write_address, write_data => slice0cost_read_words_8_memory_write_data);
 
+  slice0cost_read_words_7_memory_read_enable <= true;
+  slice0cost_read_words_7_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_7_memory_write_address <= to_unsigned(slice3cost_read_column, 10);
   slice0cost_read_words_7_memory_write_data <= to_unsigned(slice0cost_write_words_7, 22);
   slice0cost_read_words_7_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_7,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_7_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_7_memory_read_enable,
+      read_address => slice0cost_read_words_7_memory_read_address, read_data => slice0cost_read_words_7,
+      write_address => slice0cost_read_words_7_memory_write_address, write_data => slice0cost_read_words_7_memory_write_data);
 
+  slice0cost_read_words_6_memory_read_enable <= true;
+  slice0cost_read_words_6_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_6_memory_write_address <= to_unsigned(slice3cost_read_column, 10);
   slice0cost_read_words_6_memory_write_data <= to_unsigned(slice0cost_write_words_6, 22);
   slice0cost_read_words_6_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_6,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_6_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_6_memory_read_enable,
+      read_address => slice0cost_read_words_6_memory_read_address, read_data => slice0cost_read_words_6,
+      write_address => slice0cost_read_words_6_memory_write_address, write_data => slice0cost_read_words_6_memory_write_data);
 
+  slice0cost_read_words_5_memory_read_enable <= true;
+  slice0cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_5_memory_write_address <= to_unsigned(slice3cost_read_column, 10);
   slice0cost_read_words_5_memory_write_data <= to_unsigned(slice0cost_write_words_5, 22);
   slice0cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_5,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_5_memory_read_enable,
+      read_address => slice0cost_read_words_5_memory_read_address, read_data => slice0cost_read_words_5,
+      write_address => slice0cost_read_words_5_memory_write_address, write_data => slice0cost_read_words_5_memory_write_data);
 
+  slice0cost_read_words_4_memory_read_enable <= true;
+  slice0cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_4_memory_write_address <= to_unsigned(slice3cost_read_column, 10);
   slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words_4, 22);
   slice0cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_4,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_4_memory_read_enable,
+      read_address => slice0cost_read_words_4_memory_read_address, read_data => slice0cost_read_words_4,
+      write_address => slice0cost_read_words_4_memory_write_address, write_data => slice0cost_read_words_4_memory_write_data);
 
+  slice0cost_read_words_3_memory_read_enable <= true;
+  slice0cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_3_memory_write_address <= to_unsigned(slice3cost_read_column, 10);
   slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words_3, 22);
   slice0cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_3,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_3_memory_read_enable,
+      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words_3,
+      write_address => slice0cost_read_words_3_memory_write_address, write_data => slice0cost_read_words_3_memory_write_data);
 
+  slice0cost_read_words_2_memory_read_enable <= true;
+  slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_2_memory_write_address <= to_unsigned(slice3cost_read_column, 10);
   slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words_2, 22);
   slice0cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_2,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
+      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words_2,
+      write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
 
+  slice0cost_read_words_1_memory_read_enable <= true;
+  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice3cost_read_column, 10);
   slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 22);
   slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
+      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words_1,
+      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
 
+  slice0cost_read_words_0_memory_read_enable <= true;
+  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 10);
+  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice3cost_read_column, 10);
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 22);
   slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 22)
+    generic map (depth => 640, width => 22, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice3cost_read_column, write_data => slice0cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
+      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words_0,
+      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 10);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 10);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 10);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 10);
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32)
+    generic map (depth => 640, width => 32, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 10);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 10);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 640, width => 24)
+    generic map (depth => 640, width => 24, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 10);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 10);
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 640, width => 32)
+    generic map (depth => 640, width => 32, address_bits => 10)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 8);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 8);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 200, width => 8)
+    generic map (depth => 200, width => 8, address_bits => 8)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, slice0winner1_best_cost_0_0_is_less : boolean;
@@ -4032,16 +5310,27 @@ begin
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= 0 when in_start_of_frame and in_valid else (raster_place_group +
-        as_number(((raster_place_group /= 483) and raster_place_group_is_equal and in_valid))) mod 512;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= 0;
+      else
+        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 483) and
+          raster_place_group_is_equal and in_valid))) mod 512;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 1024;
+        if raster_place_group_is_equal or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 1024;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 199 else (delay_ring_read_address + 1) mod 256;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 199 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 256;
+        end if;
       end if;
       delay_tag_first_cost_is_equal := raster_place_column = 199;
       delay_ahead_0 <= raster_features_search_0;
@@ -4092,10 +5381,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_newest_0 when rows_ready_inside_1 else 0;
-      rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_1 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_row_start <= rows_ready_tag_row_start;
       rows_tag_first_group <= rows_ready_tag_first_group;
@@ -4105,6 +5390,20 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
+        rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_newest_0;
+        rows_reference_1 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= to_unsigned((rows_search_rows_ready_words_1 mod 256), 8) &
           rows_search_rows_ready_words_0(31 downto 8);
@@ -4183,81 +5482,256 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 mod 2048;
-      slice0cost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_0 +
-        slice0cost_column_0_0_choice) mod 2048;
-      slice0cost_column_0_1_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 / 2048;
-      slice0cost_column_0_1_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_1 +
-        slice0cost_column_0_1_choice) mod 2048;
-      slice0cost_column_0_2_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1 mod 2048;
-      slice0cost_column_0_2_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_2 +
-        slice0cost_column_0_2_choice) mod 2048;
-      slice0cost_column_0_3_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1 / 2048;
-      slice0cost_column_0_3_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_3 +
-        slice0cost_column_0_3_choice) mod 2048;
-      slice0cost_column_0_4_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_2 mod 2048;
-      slice0cost_column_0_4_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_4 +
-        slice0cost_column_0_4_choice) mod 2048;
-      slice0cost_column_0_5_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_2 / 2048;
-      slice0cost_column_0_5_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_5 +
-        slice0cost_column_0_5_choice) mod 2048;
-      slice0cost_column_0_6_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_3 mod 2048;
-      slice0cost_column_0_6_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_6 +
-        slice0cost_column_0_6_choice) mod 2048;
-      slice0cost_column_0_7_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_3 / 2048;
-      slice0cost_column_0_7_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_7 +
-        slice0cost_column_0_7_choice) mod 2048;
-      slice0cost_column_0_8_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_4 mod 2048;
-      slice0cost_column_0_8_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_8 +
-        slice0cost_column_0_8_choice) mod 2048;
-      slice0cost_column_0_9_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_4 / 2048;
-      slice0cost_column_0_9_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_9 +
-        slice0cost_column_0_9_choice) mod 2048;
-      slice0cost_column_0_10_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_5 mod 2048;
-      slice0cost_column_0_10_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_10 +
-        slice0cost_column_0_10_choice) mod 2048;
-      slice0cost_column_0_11_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_5 / 2048;
-      slice0cost_column_0_11_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_11 +
-        slice0cost_column_0_11_choice) mod 2048;
-      slice0cost_column_0_12_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_6 mod 2048;
-      slice0cost_column_0_12_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_12 +
-        slice0cost_column_0_12_choice) mod 2048;
-      slice0cost_column_0_13_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_6 / 2048;
-      slice0cost_column_0_13_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_13 +
-        slice0cost_column_0_13_choice) mod 2048;
-      slice0cost_column_0_14_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_7 mod 2048;
-      slice0cost_column_0_14_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_14 +
-        slice0cost_column_0_14_choice) mod 2048;
-      slice0cost_column_0_15_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_7 / 2048;
-      slice0cost_column_0_15_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_15 +
-        slice0cost_column_0_15_choice) mod 2048;
-      slice0cost_column_0_16_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_8 mod 2048;
-      slice0cost_column_0_16_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_16 +
-        slice0cost_column_0_16_choice) mod 2048;
-      slice0cost_column_0_17_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_8 / 2048;
-      slice0cost_column_0_17_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_17 +
-        slice0cost_column_0_17_choice) mod 2048;
-      slice0cost_column_0_18_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_9 mod 2048;
-      slice0cost_column_0_18_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_18 +
-        slice0cost_column_0_18_choice) mod 2048;
-      slice0cost_column_0_19_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_9 / 2048;
-      slice0cost_column_0_19_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_19 +
-        slice0cost_column_0_19_choice) mod 2048;
-      slice0cost_column_0_20_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_10 mod 2048;
-      slice0cost_column_0_20_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_20 +
-        slice0cost_column_0_20_choice) mod 2048;
-      slice0cost_column_0_21_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_10 / 2048;
-      slice0cost_column_0_21_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_21 +
-        slice0cost_column_0_21_choice) mod 2048;
-      slice0cost_column_0_22_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_11 mod 2048;
-      slice0cost_column_0_22_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_22 +
-        slice0cost_column_0_22_choice) mod 2048;
-      slice0cost_column_0_23_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_11 / 2048;
-      slice0cost_column_0_23_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_23 +
-        slice0cost_column_0_23_choice) mod 2048;
-      slice0cost_column_0_24_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_12;
-      slice0cost_column_0_24_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_24 +
-        slice0cost_column_0_24_choice) mod 2048;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_0_choice := 0;
+      else
+        slice0cost_column_0_0_choice := slice0cost_ready_words_0 mod 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_0_choice_2 := 0;
+      else
+        slice0cost_column_0_0_choice_2 := (slice0cost_change_0_0 + slice0cost_column_0_0_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_1_choice := 0;
+      else
+        slice0cost_column_0_1_choice := slice0cost_ready_words_0 / 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_1_choice_2 := 0;
+      else
+        slice0cost_column_0_1_choice_2 := (slice0cost_change_0_1 + slice0cost_column_0_1_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_2_choice := 0;
+      else
+        slice0cost_column_0_2_choice := slice0cost_ready_words_1 mod 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_2_choice_2 := 0;
+      else
+        slice0cost_column_0_2_choice_2 := (slice0cost_change_0_2 + slice0cost_column_0_2_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_3_choice := 0;
+      else
+        slice0cost_column_0_3_choice := slice0cost_ready_words_1 / 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_3_choice_2 := 0;
+      else
+        slice0cost_column_0_3_choice_2 := (slice0cost_change_0_3 + slice0cost_column_0_3_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_4_choice := 0;
+      else
+        slice0cost_column_0_4_choice := slice0cost_ready_words_2 mod 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_4_choice_2 := 0;
+      else
+        slice0cost_column_0_4_choice_2 := (slice0cost_change_0_4 + slice0cost_column_0_4_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_5_choice := 0;
+      else
+        slice0cost_column_0_5_choice := slice0cost_ready_words_2 / 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_5_choice_2 := 0;
+      else
+        slice0cost_column_0_5_choice_2 := (slice0cost_change_0_5 + slice0cost_column_0_5_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_6_choice := 0;
+      else
+        slice0cost_column_0_6_choice := slice0cost_ready_words_3 mod 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_6_choice_2 := 0;
+      else
+        slice0cost_column_0_6_choice_2 := (slice0cost_change_0_6 + slice0cost_column_0_6_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_7_choice := 0;
+      else
+        slice0cost_column_0_7_choice := slice0cost_ready_words_3 / 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_7_choice_2 := 0;
+      else
+        slice0cost_column_0_7_choice_2 := (slice0cost_change_0_7 + slice0cost_column_0_7_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_8_choice := 0;
+      else
+        slice0cost_column_0_8_choice := slice0cost_ready_words_4 mod 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_8_choice_2 := 0;
+      else
+        slice0cost_column_0_8_choice_2 := (slice0cost_change_0_8 + slice0cost_column_0_8_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_9_choice := 0;
+      else
+        slice0cost_column_0_9_choice := slice0cost_ready_words_4 / 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_9_choice_2 := 0;
+      else
+        slice0cost_column_0_9_choice_2 := (slice0cost_change_0_9 + slice0cost_column_0_9_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_10_choice := 0;
+      else
+        slice0cost_column_0_10_choice := slice0cost_ready_words_5 mod 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_10_choice_2 := 0;
+      else
+        slice0cost_column_0_10_choice_2 := (slice0cost_change_0_10 + slice0cost_column_0_10_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_11_choice := 0;
+      else
+        slice0cost_column_0_11_choice := slice0cost_ready_words_5 / 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_11_choice_2 := 0;
+      else
+        slice0cost_column_0_11_choice_2 := (slice0cost_change_0_11 + slice0cost_column_0_11_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_12_choice := 0;
+      else
+        slice0cost_column_0_12_choice := slice0cost_ready_words_6 mod 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_12_choice_2 := 0;
+      else
+        slice0cost_column_0_12_choice_2 := (slice0cost_change_0_12 + slice0cost_column_0_12_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_13_choice := 0;
+      else
+        slice0cost_column_0_13_choice := slice0cost_ready_words_6 / 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_13_choice_2 := 0;
+      else
+        slice0cost_column_0_13_choice_2 := (slice0cost_change_0_13 + slice0cost_column_0_13_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_14_choice := 0;
+      else
+        slice0cost_column_0_14_choice := slice0cost_ready_words_7 mod 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_14_choice_2 := 0;
+      else
+        slice0cost_column_0_14_choice_2 := (slice0cost_change_0_14 + slice0cost_column_0_14_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_15_choice := 0;
+      else
+        slice0cost_column_0_15_choice := slice0cost_ready_words_7 / 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_15_choice_2 := 0;
+      else
+        slice0cost_column_0_15_choice_2 := (slice0cost_change_0_15 + slice0cost_column_0_15_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_16_choice := 0;
+      else
+        slice0cost_column_0_16_choice := slice0cost_ready_words_8 mod 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_16_choice_2 := 0;
+      else
+        slice0cost_column_0_16_choice_2 := (slice0cost_change_0_16 + slice0cost_column_0_16_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_17_choice := 0;
+      else
+        slice0cost_column_0_17_choice := slice0cost_ready_words_8 / 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_17_choice_2 := 0;
+      else
+        slice0cost_column_0_17_choice_2 := (slice0cost_change_0_17 + slice0cost_column_0_17_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_18_choice := 0;
+      else
+        slice0cost_column_0_18_choice := slice0cost_ready_words_9 mod 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_18_choice_2 := 0;
+      else
+        slice0cost_column_0_18_choice_2 := (slice0cost_change_0_18 + slice0cost_column_0_18_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_19_choice := 0;
+      else
+        slice0cost_column_0_19_choice := slice0cost_ready_words_9 / 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_19_choice_2 := 0;
+      else
+        slice0cost_column_0_19_choice_2 := (slice0cost_change_0_19 + slice0cost_column_0_19_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_20_choice := 0;
+      else
+        slice0cost_column_0_20_choice := slice0cost_ready_words_10 mod 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_20_choice_2 := 0;
+      else
+        slice0cost_column_0_20_choice_2 := (slice0cost_change_0_20 + slice0cost_column_0_20_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_21_choice := 0;
+      else
+        slice0cost_column_0_21_choice := slice0cost_ready_words_10 / 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_21_choice_2 := 0;
+      else
+        slice0cost_column_0_21_choice_2 := (slice0cost_change_0_21 + slice0cost_column_0_21_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_22_choice := 0;
+      else
+        slice0cost_column_0_22_choice := slice0cost_ready_words_11 mod 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_22_choice_2 := 0;
+      else
+        slice0cost_column_0_22_choice_2 := (slice0cost_change_0_22 + slice0cost_column_0_22_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_23_choice := 0;
+      else
+        slice0cost_column_0_23_choice := slice0cost_ready_words_11 / 2048;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_23_choice_2 := 0;
+      else
+        slice0cost_column_0_23_choice_2 := (slice0cost_change_0_23 + slice0cost_column_0_23_choice) mod 2048;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_24_choice := 0;
+      else
+        slice0cost_column_0_24_choice := slice0cost_ready_words_12;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_24_choice_2 := 0;
+      else
+        slice0cost_column_0_24_choice_2 := (slice0cost_change_0_24 + slice0cost_column_0_24_choice) mod 2048;
+      end if;
       slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -4508,17 +5982,27 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
       if slice0shift_tag_valid then
-        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 1024;
+        if slice0shift_tag_row_start then
+          slice0cost_read_column <= 0;
+        else
+          slice0cost_read_column <= (slice0cost_read_column + 1) mod 1024;
+        end if;
       end if;
       if slice0cost_pixels_first_tag_valid then
-        slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
-          mod 1024;
+        if slice0cost_pixels_first_tag_row_start then
+          slice0cost_change_column <= 0;
+        else
+          slice0cost_change_column <= (slice0cost_change_column + 1) mod 1024;
+        end if;
       end if;
       if slice0cost_pixels_tag_valid then
-        slice0cost_ready_column <= 0 when slice0cost_pixels_tag_row_start else (slice0cost_ready_column + 1) mod 1024;
+        if slice0cost_pixels_tag_row_start then
+          slice0cost_ready_column <= 0;
+        else
+          slice0cost_ready_column <= (slice0cost_ready_column + 1) mod 1024;
+        end if;
       end if;
       if slice0cost_ready_tag_valid then
-        slice0cost_write_column <= 0 when slice0cost_ready_tag_row_start else (slice0cost_write_column + 1) mod 1024;
         slice0cost_write_words_0 <= (slice0cost_column_0_1_choice_2 * 2048) + slice0cost_column_0_0_choice_2;
         slice0cost_write_words_1 <= (slice0cost_column_0_3_choice_2 * 2048) + slice0cost_column_0_2_choice_2;
         slice0cost_write_words_2 <= (slice0cost_column_0_5_choice_2 * 2048) + slice0cost_column_0_4_choice_2;
@@ -4532,12 +6016,20 @@ begin
         slice0cost_write_words_10 <= (slice0cost_column_0_21_choice_2 * 2048) + slice0cost_column_0_20_choice_2;
         slice0cost_write_words_11 <= (slice0cost_column_0_23_choice_2 * 2048) + slice0cost_column_0_22_choice_2;
         slice0cost_write_words_12 <= slice0cost_column_0_24_choice_2;
+        if slice0cost_ready_tag_row_start then
+          slice0cost_write_column <= 0;
+        else
+          slice0cost_write_column <= (slice0cost_write_column + 1) mod 1024;
+        end if;
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 7 else
-          (slice0window_ring_read_address + 1) mod 8;
         slice0window_ring_write_address <= slice0window_ring_read_address;
+        if slice0window_ring_read_address = 7 then
+          slice0window_ring_read_address <= 0;
+        else
+          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice0window_entering_tag_leaves_window then
         slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(10 downto 0));
@@ -4741,31 +6233,131 @@ begin
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_tag_valid <= slice0window_change_tag_valid;
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_2;
-      slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
-      slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
-      slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
-      slice0window_sum_0_3_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_3;
-      slice0window_sum_0_4_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_4;
-      slice0window_sum_0_5_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_5;
-      slice0window_sum_0_6_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_6;
-      slice0window_sum_0_7_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_7;
-      slice0window_sum_0_8_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_8;
-      slice0window_sum_0_9_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_9;
-      slice0window_sum_0_10_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_10;
-      slice0window_sum_0_11_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_11;
-      slice0window_sum_0_12_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_12;
-      slice0window_sum_0_13_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_13;
-      slice0window_sum_0_14_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_14;
-      slice0window_sum_0_15_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_15;
-      slice0window_sum_0_16_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_16;
-      slice0window_sum_0_17_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_17;
-      slice0window_sum_0_18_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_18;
-      slice0window_sum_0_19_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_19;
-      slice0window_sum_0_20_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_20;
-      slice0window_sum_0_21_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_21;
-      slice0window_sum_0_22_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_22;
-      slice0window_sum_0_23_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_23;
-      slice0window_sum_0_24_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_24;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_0_choice := 0;
+      else
+        slice0window_sum_0_0_choice := slice0window_sum_0_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_1_choice := 0;
+      else
+        slice0window_sum_0_1_choice := slice0window_sum_0_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_2_choice := 0;
+      else
+        slice0window_sum_0_2_choice := slice0window_sum_0_2;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_3_choice := 0;
+      else
+        slice0window_sum_0_3_choice := slice0window_sum_0_3;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_4_choice := 0;
+      else
+        slice0window_sum_0_4_choice := slice0window_sum_0_4;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_5_choice := 0;
+      else
+        slice0window_sum_0_5_choice := slice0window_sum_0_5;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_6_choice := 0;
+      else
+        slice0window_sum_0_6_choice := slice0window_sum_0_6;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_7_choice := 0;
+      else
+        slice0window_sum_0_7_choice := slice0window_sum_0_7;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_8_choice := 0;
+      else
+        slice0window_sum_0_8_choice := slice0window_sum_0_8;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_9_choice := 0;
+      else
+        slice0window_sum_0_9_choice := slice0window_sum_0_9;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_10_choice := 0;
+      else
+        slice0window_sum_0_10_choice := slice0window_sum_0_10;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_11_choice := 0;
+      else
+        slice0window_sum_0_11_choice := slice0window_sum_0_11;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_12_choice := 0;
+      else
+        slice0window_sum_0_12_choice := slice0window_sum_0_12;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_13_choice := 0;
+      else
+        slice0window_sum_0_13_choice := slice0window_sum_0_13;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_14_choice := 0;
+      else
+        slice0window_sum_0_14_choice := slice0window_sum_0_14;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_15_choice := 0;
+      else
+        slice0window_sum_0_15_choice := slice0window_sum_0_15;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_16_choice := 0;
+      else
+        slice0window_sum_0_16_choice := slice0window_sum_0_16;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_17_choice := 0;
+      else
+        slice0window_sum_0_17_choice := slice0window_sum_0_17;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_18_choice := 0;
+      else
+        slice0window_sum_0_18_choice := slice0window_sum_0_18;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_19_choice := 0;
+      else
+        slice0window_sum_0_19_choice := slice0window_sum_0_19;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_20_choice := 0;
+      else
+        slice0window_sum_0_20_choice := slice0window_sum_0_20;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_21_choice := 0;
+      else
+        slice0window_sum_0_21_choice := slice0window_sum_0_21;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_22_choice := 0;
+      else
+        slice0window_sum_0_22_choice := slice0window_sum_0_22;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_23_choice := 0;
+      else
+        slice0window_sum_0_23_choice := slice0window_sum_0_23;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_24_choice := 0;
+      else
+        slice0window_sum_0_24_choice := slice0window_sum_0_24;
+      end if;
       if slice0window_change_tag_valid then
         slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 16384;
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 16384;
@@ -4806,46 +6398,93 @@ begin
       slice0winner1_best_cost_0_9_is_less := (slice0window_sum_0_19 - slice0window_sum_0_18) < 0;
       slice0winner1_best_cost_0_10_is_less := (slice0window_sum_0_21 - slice0window_sum_0_20) < 0;
       slice0winner1_best_cost_0_11_is_less := (slice0window_sum_0_23 - slice0window_sum_0_22) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
-        slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
-        slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
-        slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
-        slice0window_sum_0_14;
-      slice0winner1_best_cost_0_8 <= slice0window_sum_0_17 when slice0winner1_best_cost_0_8_is_less else
-        slice0window_sum_0_16;
-      slice0winner1_best_cost_0_9 <= slice0window_sum_0_19 when slice0winner1_best_cost_0_9_is_less else
-        slice0window_sum_0_18;
-      slice0winner1_best_cost_0_10 <= slice0window_sum_0_21 when slice0winner1_best_cost_0_10_is_less else
-        slice0window_sum_0_20;
-      slice0winner1_best_cost_0_11 <= slice0window_sum_0_23 when slice0winner1_best_cost_0_11_is_less else
-        slice0window_sum_0_22;
       slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
-      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
-      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
-      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
-      slice0winner1_best_index_0_8 <= 17 when slice0winner1_best_cost_0_8_is_less else 16;
-      slice0winner1_best_index_0_9 <= 19 when slice0winner1_best_cost_0_9_is_less else 18;
-      slice0winner1_best_index_0_10 <= 21 when slice0winner1_best_cost_0_10_is_less else 20;
-      slice0winner1_best_index_0_11 <= 23 when slice0winner1_best_cost_0_11_is_less else 22;
       slice0winner1_best_index_0_12 <= 24;
       slice0winner1_tag_valid <= slice0window_tag_valid;
       slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+      end if;
+      if slice0winner1_best_cost_0_1_is_less then
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_index_0_1 <= 3;
+      else
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_index_0_1 <= 2;
+      end if;
+      if slice0winner1_best_cost_0_2_is_less then
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_index_0_2 <= 5;
+      else
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_index_0_2 <= 4;
+      end if;
+      if slice0winner1_best_cost_0_3_is_less then
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+        slice0winner1_best_index_0_3 <= 7;
+      else
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_index_0_3 <= 6;
+      end if;
+      if slice0winner1_best_cost_0_4_is_less then
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_9;
+        slice0winner1_best_index_0_4 <= 9;
+      else
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_8;
+        slice0winner1_best_index_0_4 <= 8;
+      end if;
+      if slice0winner1_best_cost_0_5_is_less then
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_11;
+        slice0winner1_best_index_0_5 <= 11;
+      else
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_10;
+        slice0winner1_best_index_0_5 <= 10;
+      end if;
+      if slice0winner1_best_cost_0_6_is_less then
+        slice0winner1_best_cost_0_6 <= slice0window_sum_0_13;
+        slice0winner1_best_index_0_6 <= 13;
+      else
+        slice0winner1_best_cost_0_6 <= slice0window_sum_0_12;
+        slice0winner1_best_index_0_6 <= 12;
+      end if;
+      if slice0winner1_best_cost_0_7_is_less then
+        slice0winner1_best_cost_0_7 <= slice0window_sum_0_15;
+        slice0winner1_best_index_0_7 <= 15;
+      else
+        slice0winner1_best_cost_0_7 <= slice0window_sum_0_14;
+        slice0winner1_best_index_0_7 <= 14;
+      end if;
+      if slice0winner1_best_cost_0_8_is_less then
+        slice0winner1_best_cost_0_8 <= slice0window_sum_0_17;
+        slice0winner1_best_index_0_8 <= 17;
+      else
+        slice0winner1_best_cost_0_8 <= slice0window_sum_0_16;
+        slice0winner1_best_index_0_8 <= 16;
+      end if;
+      if slice0winner1_best_cost_0_9_is_less then
+        slice0winner1_best_cost_0_9 <= slice0window_sum_0_19;
+        slice0winner1_best_index_0_9 <= 19;
+      else
+        slice0winner1_best_cost_0_9 <= slice0window_sum_0_18;
+        slice0winner1_best_index_0_9 <= 18;
+      end if;
+      if slice0winner1_best_cost_0_10_is_less then
+        slice0winner1_best_cost_0_10 <= slice0window_sum_0_21;
+        slice0winner1_best_index_0_10 <= 21;
+      else
+        slice0winner1_best_cost_0_10 <= slice0window_sum_0_20;
+        slice0winner1_best_index_0_10 <= 20;
+      end if;
+      if slice0winner1_best_cost_0_11_is_less then
+        slice0winner1_best_cost_0_11 <= slice0window_sum_0_23;
+        slice0winner1_best_index_0_11 <= 23;
+      else
+        slice0winner1_best_cost_0_11 <= slice0window_sum_0_22;
+        slice0winner1_best_index_0_11 <= 22;
+      end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
@@ -4853,76 +6492,112 @@ begin
       slice0winner2_best_cost_0_3_is_less := (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0;
       slice0winner2_best_cost_0_4_is_less := (slice0winner1_best_cost_0_9 - slice0winner1_best_cost_0_8) < 0;
       slice0winner2_best_cost_0_5_is_less := (slice0winner1_best_cost_0_11 - slice0winner1_best_cost_0_10) < 0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_cost_0_6;
-      slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9 when slice0winner2_best_cost_0_4_is_less else
-        slice0winner1_best_cost_0_8;
-      slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11 when slice0winner2_best_cost_0_5_is_less else
-        slice0winner1_best_cost_0_10;
       slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
-      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_index_0_4;
-      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_index_0_6;
-      slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9 when slice0winner2_best_cost_0_4_is_less else
-        slice0winner1_best_index_0_8;
-      slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11 when slice0winner2_best_cost_0_5_is_less else
-        slice0winner1_best_index_0_10;
       slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+      end if;
+      if slice0winner2_best_cost_0_1_is_less then
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
+      else
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+      end if;
+      if slice0winner2_best_cost_0_2_is_less then
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5;
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
+      else
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
+      end if;
+      if slice0winner2_best_cost_0_3_is_less then
+        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7;
+        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
+      else
+        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_6;
+        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
+      end if;
+      if slice0winner2_best_cost_0_4_is_less then
+        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9;
+        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9;
+      else
+        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_8;
+        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_8;
+      end if;
+      if slice0winner2_best_cost_0_5_is_less then
+        slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11;
+        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11;
+      else
+        slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_10;
+        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_10;
+      end if;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
       slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
       slice0winner3_best_cost_0_2_is_less := (slice0winner2_best_cost_0_5 - slice0winner2_best_cost_0_4) < 0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_cost_0_2;
-      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5 when slice0winner3_best_cost_0_2_is_less else
-        slice0winner2_best_cost_0_4;
       slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_index_0_2;
-      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5 when slice0winner3_best_cost_0_2_is_less else
-        slice0winner2_best_index_0_4;
       slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
+      if slice0winner3_best_cost_0_0_is_less then
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+      end if;
+      if slice0winner3_best_cost_0_1_is_less then
+        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3;
+        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
+      else
+        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
+        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
+      end if;
+      if slice0winner3_best_cost_0_2_is_less then
+        slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5;
+        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5;
+      else
+        slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_4;
+        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_4;
+      end if;
       -- slice0winner4
       slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
       slice0winner4_best_cost_0_1_is_less := (slice0winner3_best_cost_0_3 - slice0winner3_best_cost_0_2) < 0;
-      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_cost_0_0;
-      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3 when slice0winner4_best_cost_0_1_is_less else
-        slice0winner3_best_cost_0_2;
-      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_index_0_0;
-      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_0_1_is_less else
-        slice0winner3_best_index_0_2;
       slice0winner4_tag_valid <= slice0winner3_tag_valid;
+      if slice0winner4_best_cost_0_0_is_less then
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
+      else
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
+      end if;
+      if slice0winner4_best_cost_0_1_is_less then
+        slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3;
+        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_2;
+        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_2;
+      end if;
       if slice0_best_tag_valid then
         slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
       end if;
       -- slice0winner5
       slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0_1 - slice0winner4_best_cost_0_0) < 0;
-      slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1 when slice0winner5_best_cost_0_0_is_less else
-        slice0winner4_best_cost_0_0;
-      slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice0winner5_best_cost_0_0_is_less else
-        slice0winner4_best_index_0_0;
       slice0winner5_tag_valid <= slice0winner4_tag_valid;
+      if slice0winner5_best_cost_0_0_is_less then
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1;
+        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1;
+      else
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_0;
+        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_0;
+      end if;
       if slice0_best_tag_valid then
         slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
       end if;
@@ -4993,81 +6668,256 @@ begin
       slice1shift_search_out_0 <= slice1shift_search_0_0;
       slice1shift_search_out_1 <= slice1shift_search_1_0;
       -- slice1cost
-      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 mod 2048;
-      slice1cost_column_0_0_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_0 +
-        slice1cost_column_0_0_choice) mod 2048;
-      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 / 2048;
-      slice1cost_column_0_1_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_1 +
-        slice1cost_column_0_1_choice) mod 2048;
-      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 mod 2048;
-      slice1cost_column_0_2_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_2 +
-        slice1cost_column_0_2_choice) mod 2048;
-      slice1cost_column_0_3_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 / 2048;
-      slice1cost_column_0_3_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_3 +
-        slice1cost_column_0_3_choice) mod 2048;
-      slice1cost_column_0_4_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_2 mod 2048;
-      slice1cost_column_0_4_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_4 +
-        slice1cost_column_0_4_choice) mod 2048;
-      slice1cost_column_0_5_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_2 / 2048;
-      slice1cost_column_0_5_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_5 +
-        slice1cost_column_0_5_choice) mod 2048;
-      slice1cost_column_0_6_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_3 mod 2048;
-      slice1cost_column_0_6_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_6 +
-        slice1cost_column_0_6_choice) mod 2048;
-      slice1cost_column_0_7_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_3 / 2048;
-      slice1cost_column_0_7_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_7 +
-        slice1cost_column_0_7_choice) mod 2048;
-      slice1cost_column_0_8_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_4 mod 2048;
-      slice1cost_column_0_8_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_8 +
-        slice1cost_column_0_8_choice) mod 2048;
-      slice1cost_column_0_9_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_4 / 2048;
-      slice1cost_column_0_9_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_9 +
-        slice1cost_column_0_9_choice) mod 2048;
-      slice1cost_column_0_10_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_5 mod 2048;
-      slice1cost_column_0_10_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_10 +
-        slice1cost_column_0_10_choice) mod 2048;
-      slice1cost_column_0_11_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_5 / 2048;
-      slice1cost_column_0_11_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_11 +
-        slice1cost_column_0_11_choice) mod 2048;
-      slice1cost_column_0_12_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_6 mod 2048;
-      slice1cost_column_0_12_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_12 +
-        slice1cost_column_0_12_choice) mod 2048;
-      slice1cost_column_0_13_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_6 / 2048;
-      slice1cost_column_0_13_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_13 +
-        slice1cost_column_0_13_choice) mod 2048;
-      slice1cost_column_0_14_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_7 mod 2048;
-      slice1cost_column_0_14_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_14 +
-        slice1cost_column_0_14_choice) mod 2048;
-      slice1cost_column_0_15_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_7 / 2048;
-      slice1cost_column_0_15_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_15 +
-        slice1cost_column_0_15_choice) mod 2048;
-      slice1cost_column_0_16_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_8 mod 2048;
-      slice1cost_column_0_16_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_16 +
-        slice1cost_column_0_16_choice) mod 2048;
-      slice1cost_column_0_17_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_8 / 2048;
-      slice1cost_column_0_17_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_17 +
-        slice1cost_column_0_17_choice) mod 2048;
-      slice1cost_column_0_18_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_9 mod 2048;
-      slice1cost_column_0_18_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_18 +
-        slice1cost_column_0_18_choice) mod 2048;
-      slice1cost_column_0_19_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_9 / 2048;
-      slice1cost_column_0_19_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_19 +
-        slice1cost_column_0_19_choice) mod 2048;
-      slice1cost_column_0_20_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_10 mod 2048;
-      slice1cost_column_0_20_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_20 +
-        slice1cost_column_0_20_choice) mod 2048;
-      slice1cost_column_0_21_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_10 / 2048;
-      slice1cost_column_0_21_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_21 +
-        slice1cost_column_0_21_choice) mod 2048;
-      slice1cost_column_0_22_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_11 mod 2048;
-      slice1cost_column_0_22_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_22 +
-        slice1cost_column_0_22_choice) mod 2048;
-      slice1cost_column_0_23_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_11 / 2048;
-      slice1cost_column_0_23_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_23 +
-        slice1cost_column_0_23_choice) mod 2048;
-      slice1cost_column_0_24_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_12;
-      slice1cost_column_0_24_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_24 +
-        slice1cost_column_0_24_choice) mod 2048;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_0_choice := 0;
+      else
+        slice1cost_column_0_0_choice := slice1cost_ready_words_0 mod 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0_choice_2 := 0;
+      else
+        slice1cost_column_0_0_choice_2 := (slice1cost_change_0_0 + slice1cost_column_0_0_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_1_choice := 0;
+      else
+        slice1cost_column_0_1_choice := slice1cost_ready_words_0 / 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_1_choice_2 := 0;
+      else
+        slice1cost_column_0_1_choice_2 := (slice1cost_change_0_1 + slice1cost_column_0_1_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_2_choice := 0;
+      else
+        slice1cost_column_0_2_choice := slice1cost_ready_words_1 mod 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_2_choice_2 := 0;
+      else
+        slice1cost_column_0_2_choice_2 := (slice1cost_change_0_2 + slice1cost_column_0_2_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_3_choice := 0;
+      else
+        slice1cost_column_0_3_choice := slice1cost_ready_words_1 / 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_3_choice_2 := 0;
+      else
+        slice1cost_column_0_3_choice_2 := (slice1cost_change_0_3 + slice1cost_column_0_3_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_4_choice := 0;
+      else
+        slice1cost_column_0_4_choice := slice1cost_ready_words_2 mod 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_4_choice_2 := 0;
+      else
+        slice1cost_column_0_4_choice_2 := (slice1cost_change_0_4 + slice1cost_column_0_4_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_5_choice := 0;
+      else
+        slice1cost_column_0_5_choice := slice1cost_ready_words_2 / 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_5_choice_2 := 0;
+      else
+        slice1cost_column_0_5_choice_2 := (slice1cost_change_0_5 + slice1cost_column_0_5_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_6_choice := 0;
+      else
+        slice1cost_column_0_6_choice := slice1cost_ready_words_3 mod 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_6_choice_2 := 0;
+      else
+        slice1cost_column_0_6_choice_2 := (slice1cost_change_0_6 + slice1cost_column_0_6_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_7_choice := 0;
+      else
+        slice1cost_column_0_7_choice := slice1cost_ready_words_3 / 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_7_choice_2 := 0;
+      else
+        slice1cost_column_0_7_choice_2 := (slice1cost_change_0_7 + slice1cost_column_0_7_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_8_choice := 0;
+      else
+        slice1cost_column_0_8_choice := slice1cost_ready_words_4 mod 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_8_choice_2 := 0;
+      else
+        slice1cost_column_0_8_choice_2 := (slice1cost_change_0_8 + slice1cost_column_0_8_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_9_choice := 0;
+      else
+        slice1cost_column_0_9_choice := slice1cost_ready_words_4 / 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_9_choice_2 := 0;
+      else
+        slice1cost_column_0_9_choice_2 := (slice1cost_change_0_9 + slice1cost_column_0_9_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_10_choice := 0;
+      else
+        slice1cost_column_0_10_choice := slice1cost_ready_words_5 mod 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_10_choice_2 := 0;
+      else
+        slice1cost_column_0_10_choice_2 := (slice1cost_change_0_10 + slice1cost_column_0_10_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_11_choice := 0;
+      else
+        slice1cost_column_0_11_choice := slice1cost_ready_words_5 / 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_11_choice_2 := 0;
+      else
+        slice1cost_column_0_11_choice_2 := (slice1cost_change_0_11 + slice1cost_column_0_11_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_12_choice := 0;
+      else
+        slice1cost_column_0_12_choice := slice1cost_ready_words_6 mod 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_12_choice_2 := 0;
+      else
+        slice1cost_column_0_12_choice_2 := (slice1cost_change_0_12 + slice1cost_column_0_12_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_13_choice := 0;
+      else
+        slice1cost_column_0_13_choice := slice1cost_ready_words_6 / 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_13_choice_2 := 0;
+      else
+        slice1cost_column_0_13_choice_2 := (slice1cost_change_0_13 + slice1cost_column_0_13_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_14_choice := 0;
+      else
+        slice1cost_column_0_14_choice := slice1cost_ready_words_7 mod 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_14_choice_2 := 0;
+      else
+        slice1cost_column_0_14_choice_2 := (slice1cost_change_0_14 + slice1cost_column_0_14_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_15_choice := 0;
+      else
+        slice1cost_column_0_15_choice := slice1cost_ready_words_7 / 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_15_choice_2 := 0;
+      else
+        slice1cost_column_0_15_choice_2 := (slice1cost_change_0_15 + slice1cost_column_0_15_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_16_choice := 0;
+      else
+        slice1cost_column_0_16_choice := slice1cost_ready_words_8 mod 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_16_choice_2 := 0;
+      else
+        slice1cost_column_0_16_choice_2 := (slice1cost_change_0_16 + slice1cost_column_0_16_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_17_choice := 0;
+      else
+        slice1cost_column_0_17_choice := slice1cost_ready_words_8 / 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_17_choice_2 := 0;
+      else
+        slice1cost_column_0_17_choice_2 := (slice1cost_change_0_17 + slice1cost_column_0_17_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_18_choice := 0;
+      else
+        slice1cost_column_0_18_choice := slice1cost_ready_words_9 mod 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_18_choice_2 := 0;
+      else
+        slice1cost_column_0_18_choice_2 := (slice1cost_change_0_18 + slice1cost_column_0_18_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_19_choice := 0;
+      else
+        slice1cost_column_0_19_choice := slice1cost_ready_words_9 / 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_19_choice_2 := 0;
+      else
+        slice1cost_column_0_19_choice_2 := (slice1cost_change_0_19 + slice1cost_column_0_19_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_20_choice := 0;
+      else
+        slice1cost_column_0_20_choice := slice1cost_ready_words_10 mod 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_20_choice_2 := 0;
+      else
+        slice1cost_column_0_20_choice_2 := (slice1cost_change_0_20 + slice1cost_column_0_20_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_21_choice := 0;
+      else
+        slice1cost_column_0_21_choice := slice1cost_ready_words_10 / 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_21_choice_2 := 0;
+      else
+        slice1cost_column_0_21_choice_2 := (slice1cost_change_0_21 + slice1cost_column_0_21_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_22_choice := 0;
+      else
+        slice1cost_column_0_22_choice := slice1cost_ready_words_11 mod 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_22_choice_2 := 0;
+      else
+        slice1cost_column_0_22_choice_2 := (slice1cost_change_0_22 + slice1cost_column_0_22_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_23_choice := 0;
+      else
+        slice1cost_column_0_23_choice := slice1cost_ready_words_11 / 2048;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_23_choice_2 := 0;
+      else
+        slice1cost_column_0_23_choice_2 := (slice1cost_change_0_23 + slice1cost_column_0_23_choice) mod 2048;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_24_choice := 0;
+      else
+        slice1cost_column_0_24_choice := slice1cost_ready_words_12;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_24_choice_2 := 0;
+      else
+        slice1cost_column_0_24_choice_2 := (slice1cost_change_0_24 + slice1cost_column_0_24_choice) mod 2048;
+      end if;
       slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_pixels_first_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -5285,7 +7135,6 @@ begin
       slice1cost_column_0_23 <= slice1cost_column_0_23_choice_2;
       slice1cost_column_0_24 <= slice1cost_column_0_24_choice_2;
       if slice0cost_tag_valid then
-        slice1cost_write_column <= 0 when slice0cost_tag_row_start else (slice1cost_write_column + 1) mod 1024;
         slice1cost_write_words_0 <= (slice1cost_column_0_1_choice_2 * 2048) + slice1cost_column_0_0_choice_2;
         slice1cost_write_words_1 <= (slice1cost_column_0_3_choice_2 * 2048) + slice1cost_column_0_2_choice_2;
         slice1cost_write_words_2 <= (slice1cost_column_0_5_choice_2 * 2048) + slice1cost_column_0_4_choice_2;
@@ -5299,12 +7148,20 @@ begin
         slice1cost_write_words_10 <= (slice1cost_column_0_21_choice_2 * 2048) + slice1cost_column_0_20_choice_2;
         slice1cost_write_words_11 <= (slice1cost_column_0_23_choice_2 * 2048) + slice1cost_column_0_22_choice_2;
         slice1cost_write_words_12 <= slice1cost_column_0_24_choice_2;
+        if slice0cost_tag_row_start then
+          slice1cost_write_column <= 0;
+        else
+          slice1cost_write_column <= (slice1cost_write_column + 1) mod 1024;
+        end if;
       end if;
       -- slice1window
       if slice0window_entering_tag_valid then
-        slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 7 else
-          (slice1window_ring_read_address + 1) mod 8;
         slice1window_ring_write_address <= slice1window_ring_read_address;
+        if slice1window_ring_read_address = 7 then
+          slice1window_ring_read_address <= 0;
+        else
+          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice0window_change_tag_leaves_window then
         slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(10 downto 0));
@@ -5488,31 +7345,131 @@ begin
       slice1window_centre_output_column_1 <= slice0window_centre_output_column_1;
       slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
-      slice1window_sum_0_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_0;
-      slice1window_sum_0_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_1;
-      slice1window_sum_0_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_2;
-      slice1window_sum_0_3_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_3;
-      slice1window_sum_0_4_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_4;
-      slice1window_sum_0_5_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_5;
-      slice1window_sum_0_6_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_6;
-      slice1window_sum_0_7_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_7;
-      slice1window_sum_0_8_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_8;
-      slice1window_sum_0_9_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_9;
-      slice1window_sum_0_10_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_10;
-      slice1window_sum_0_11_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_11;
-      slice1window_sum_0_12_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_12;
-      slice1window_sum_0_13_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_13;
-      slice1window_sum_0_14_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_14;
-      slice1window_sum_0_15_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_15;
-      slice1window_sum_0_16_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_16;
-      slice1window_sum_0_17_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_17;
-      slice1window_sum_0_18_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_18;
-      slice1window_sum_0_19_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_19;
-      slice1window_sum_0_20_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_20;
-      slice1window_sum_0_21_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_21;
-      slice1window_sum_0_22_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_22;
-      slice1window_sum_0_23_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_23;
-      slice1window_sum_0_24_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_24;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_0_choice := 0;
+      else
+        slice1window_sum_0_0_choice := slice1window_sum_0_0;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_1_choice := 0;
+      else
+        slice1window_sum_0_1_choice := slice1window_sum_0_1;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_2_choice := 0;
+      else
+        slice1window_sum_0_2_choice := slice1window_sum_0_2;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_3_choice := 0;
+      else
+        slice1window_sum_0_3_choice := slice1window_sum_0_3;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_4_choice := 0;
+      else
+        slice1window_sum_0_4_choice := slice1window_sum_0_4;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_5_choice := 0;
+      else
+        slice1window_sum_0_5_choice := slice1window_sum_0_5;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_6_choice := 0;
+      else
+        slice1window_sum_0_6_choice := slice1window_sum_0_6;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_7_choice := 0;
+      else
+        slice1window_sum_0_7_choice := slice1window_sum_0_7;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_8_choice := 0;
+      else
+        slice1window_sum_0_8_choice := slice1window_sum_0_8;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_9_choice := 0;
+      else
+        slice1window_sum_0_9_choice := slice1window_sum_0_9;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_10_choice := 0;
+      else
+        slice1window_sum_0_10_choice := slice1window_sum_0_10;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_11_choice := 0;
+      else
+        slice1window_sum_0_11_choice := slice1window_sum_0_11;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_12_choice := 0;
+      else
+        slice1window_sum_0_12_choice := slice1window_sum_0_12;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_13_choice := 0;
+      else
+        slice1window_sum_0_13_choice := slice1window_sum_0_13;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_14_choice := 0;
+      else
+        slice1window_sum_0_14_choice := slice1window_sum_0_14;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_15_choice := 0;
+      else
+        slice1window_sum_0_15_choice := slice1window_sum_0_15;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_16_choice := 0;
+      else
+        slice1window_sum_0_16_choice := slice1window_sum_0_16;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_17_choice := 0;
+      else
+        slice1window_sum_0_17_choice := slice1window_sum_0_17;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_18_choice := 0;
+      else
+        slice1window_sum_0_18_choice := slice1window_sum_0_18;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_19_choice := 0;
+      else
+        slice1window_sum_0_19_choice := slice1window_sum_0_19;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_20_choice := 0;
+      else
+        slice1window_sum_0_20_choice := slice1window_sum_0_20;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_21_choice := 0;
+      else
+        slice1window_sum_0_21_choice := slice1window_sum_0_21;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_22_choice := 0;
+      else
+        slice1window_sum_0_22_choice := slice1window_sum_0_22;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_23_choice := 0;
+      else
+        slice1window_sum_0_23_choice := slice1window_sum_0_23;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_24_choice := 0;
+      else
+        slice1window_sum_0_24_choice := slice1window_sum_0_24;
+      end if;
       if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 16384;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 16384;
@@ -5553,43 +7510,90 @@ begin
       slice1winner1_best_cost_0_9_is_less := (slice1window_sum_0_19 - slice1window_sum_0_18) < 0;
       slice1winner1_best_cost_0_10_is_less := (slice1window_sum_0_21 - slice1window_sum_0_20) < 0;
       slice1winner1_best_cost_0_11_is_less := (slice1window_sum_0_23 - slice1window_sum_0_22) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
-        slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
-        slice1window_sum_0_10;
-      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when slice1winner1_best_cost_0_6_is_less else
-        slice1window_sum_0_12;
-      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when slice1winner1_best_cost_0_7_is_less else
-        slice1window_sum_0_14;
-      slice1winner1_best_cost_0_8 <= slice1window_sum_0_17 when slice1winner1_best_cost_0_8_is_less else
-        slice1window_sum_0_16;
-      slice1winner1_best_cost_0_9 <= slice1window_sum_0_19 when slice1winner1_best_cost_0_9_is_less else
-        slice1window_sum_0_18;
-      slice1winner1_best_cost_0_10 <= slice1window_sum_0_21 when slice1winner1_best_cost_0_10_is_less else
-        slice1window_sum_0_20;
-      slice1winner1_best_cost_0_11 <= slice1window_sum_0_23 when slice1winner1_best_cost_0_11_is_less else
-        slice1window_sum_0_22;
       slice1winner1_best_cost_0_12 <= slice1window_sum_0_24;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
-      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
-      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
-      slice1winner1_best_index_0_6 <= 13 when slice1winner1_best_cost_0_6_is_less else 12;
-      slice1winner1_best_index_0_7 <= 15 when slice1winner1_best_cost_0_7_is_less else 14;
-      slice1winner1_best_index_0_8 <= 17 when slice1winner1_best_cost_0_8_is_less else 16;
-      slice1winner1_best_index_0_9 <= 19 when slice1winner1_best_cost_0_9_is_less else 18;
-      slice1winner1_best_index_0_10 <= 21 when slice1winner1_best_cost_0_10_is_less else 20;
-      slice1winner1_best_index_0_11 <= 23 when slice1winner1_best_cost_0_11_is_less else 22;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+      end if;
+      if slice1winner1_best_cost_0_1_is_less then
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+        slice1winner1_best_index_0_1 <= 3;
+      else
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_index_0_1 <= 2;
+      end if;
+      if slice1winner1_best_cost_0_2_is_less then
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+        slice1winner1_best_index_0_2 <= 5;
+      else
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_index_0_2 <= 4;
+      end if;
+      if slice1winner1_best_cost_0_3_is_less then
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_7;
+        slice1winner1_best_index_0_3 <= 7;
+      else
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_index_0_3 <= 6;
+      end if;
+      if slice1winner1_best_cost_0_4_is_less then
+        slice1winner1_best_cost_0_4 <= slice1window_sum_0_9;
+        slice1winner1_best_index_0_4 <= 9;
+      else
+        slice1winner1_best_cost_0_4 <= slice1window_sum_0_8;
+        slice1winner1_best_index_0_4 <= 8;
+      end if;
+      if slice1winner1_best_cost_0_5_is_less then
+        slice1winner1_best_cost_0_5 <= slice1window_sum_0_11;
+        slice1winner1_best_index_0_5 <= 11;
+      else
+        slice1winner1_best_cost_0_5 <= slice1window_sum_0_10;
+        slice1winner1_best_index_0_5 <= 10;
+      end if;
+      if slice1winner1_best_cost_0_6_is_less then
+        slice1winner1_best_cost_0_6 <= slice1window_sum_0_13;
+        slice1winner1_best_index_0_6 <= 13;
+      else
+        slice1winner1_best_cost_0_6 <= slice1window_sum_0_12;
+        slice1winner1_best_index_0_6 <= 12;
+      end if;
+      if slice1winner1_best_cost_0_7_is_less then
+        slice1winner1_best_cost_0_7 <= slice1window_sum_0_15;
+        slice1winner1_best_index_0_7 <= 15;
+      else
+        slice1winner1_best_cost_0_7 <= slice1window_sum_0_14;
+        slice1winner1_best_index_0_7 <= 14;
+      end if;
+      if slice1winner1_best_cost_0_8_is_less then
+        slice1winner1_best_cost_0_8 <= slice1window_sum_0_17;
+        slice1winner1_best_index_0_8 <= 17;
+      else
+        slice1winner1_best_cost_0_8 <= slice1window_sum_0_16;
+        slice1winner1_best_index_0_8 <= 16;
+      end if;
+      if slice1winner1_best_cost_0_9_is_less then
+        slice1winner1_best_cost_0_9 <= slice1window_sum_0_19;
+        slice1winner1_best_index_0_9 <= 19;
+      else
+        slice1winner1_best_cost_0_9 <= slice1window_sum_0_18;
+        slice1winner1_best_index_0_9 <= 18;
+      end if;
+      if slice1winner1_best_cost_0_10_is_less then
+        slice1winner1_best_cost_0_10 <= slice1window_sum_0_21;
+        slice1winner1_best_index_0_10 <= 21;
+      else
+        slice1winner1_best_cost_0_10 <= slice1window_sum_0_20;
+        slice1winner1_best_index_0_10 <= 20;
+      end if;
+      if slice1winner1_best_cost_0_11_is_less then
+        slice1winner1_best_cost_0_11 <= slice1window_sum_0_23;
+        slice1winner1_best_index_0_11 <= 23;
+      else
+        slice1winner1_best_cost_0_11 <= slice1window_sum_0_22;
+        slice1winner1_best_index_0_11 <= 22;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
@@ -5597,74 +7601,114 @@ begin
       slice1winner2_best_cost_0_3_is_less := (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0;
       slice1winner2_best_cost_0_4_is_less := (slice1winner1_best_cost_0_9 - slice1winner1_best_cost_0_8) < 0;
       slice1winner2_best_cost_0_5_is_less := (slice1winner1_best_cost_0_11 - slice1winner1_best_cost_0_10) < 0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_cost_0_4;
-      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_cost_0_6;
-      slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_9 when slice1winner2_best_cost_0_4_is_less else
-        slice1winner1_best_cost_0_8;
-      slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_11 when slice1winner2_best_cost_0_5_is_less else
-        slice1winner1_best_cost_0_10;
       slice1winner2_best_cost_0_6 <= slice1winner1_best_cost_0_12;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_index_0_2;
-      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_index_0_4;
-      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_cost_0_3_is_less else
-        slice1winner1_best_index_0_6;
-      slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9 when slice1winner2_best_cost_0_4_is_less else
-        slice1winner1_best_index_0_8;
-      slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11 when slice1winner2_best_cost_0_5_is_less else
-        slice1winner1_best_index_0_10;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+      end if;
+      if slice1winner2_best_cost_0_1_is_less then
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
+      else
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+      end if;
+      if slice1winner2_best_cost_0_2_is_less then
+        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5;
+        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
+      else
+        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_4;
+        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
+      end if;
+      if slice1winner2_best_cost_0_3_is_less then
+        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7;
+        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
+      else
+        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_6;
+        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
+      end if;
+      if slice1winner2_best_cost_0_4_is_less then
+        slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_9;
+        slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_9;
+      else
+        slice1winner2_best_cost_0_4 <= slice1winner1_best_cost_0_8;
+        slice1winner2_best_index_0_4 <= slice1winner1_best_index_0_8;
+      end if;
+      if slice1winner2_best_cost_0_5_is_less then
+        slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_11;
+        slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_11;
+      else
+        slice1winner2_best_cost_0_5 <= slice1winner1_best_cost_0_10;
+        slice1winner2_best_index_0_5 <= slice1winner1_best_index_0_10;
+      end if;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
       slice1winner3_best_cost_0_1_is_less := (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0;
       slice1winner3_best_cost_0_2_is_less := (slice1winner2_best_cost_0_5 - slice1winner2_best_cost_0_4) < 0;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_cost_0_2;
-      slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_5 when slice1winner3_best_cost_0_2_is_less else
-        slice1winner2_best_cost_0_4;
       slice1winner3_best_cost_0_3 <= slice1winner2_best_cost_0_6;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
-      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_cost_0_1_is_less else
-        slice1winner2_best_index_0_2;
-      slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5 when slice1winner3_best_cost_0_2_is_less else
-        slice1winner2_best_index_0_4;
+      if slice1winner3_best_cost_0_0_is_less then
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
+      else
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
+      end if;
+      if slice1winner3_best_cost_0_1_is_less then
+        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3;
+        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
+      else
+        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_2;
+        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
+      end if;
+      if slice1winner3_best_cost_0_2_is_less then
+        slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_5;
+        slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_5;
+      else
+        slice1winner3_best_cost_0_2 <= slice1winner2_best_cost_0_4;
+        slice1winner3_best_index_0_2 <= slice1winner2_best_index_0_4;
+      end if;
       -- slice1winner4
       slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
       slice1winner4_best_cost_0_1_is_less := (slice1winner3_best_cost_0_3 - slice1winner3_best_cost_0_2) < 0;
-      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_cost_0_0;
-      slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_3 when slice1winner4_best_cost_0_1_is_less else
-        slice1winner3_best_cost_0_2;
-      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_index_0_0;
-      slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice1winner4_best_cost_0_1_is_less else
-        slice1winner3_best_index_0_2;
+      if slice1winner4_best_cost_0_0_is_less then
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1;
+        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
+      else
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
+      end if;
+      if slice1winner4_best_cost_0_1_is_less then
+        slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_3;
+        slice1winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice1winner4_best_cost_0_1 <= slice1winner3_best_cost_0_2;
+        slice1winner4_best_index_0_1 <= slice1winner3_best_index_0_2;
+      end if;
       -- slice1winner5
       slice1winner5_best_cost_0_0_is_less := (slice1winner4_best_cost_0_1 - slice1winner4_best_cost_0_0) < 0;
-      slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1 when slice1winner5_best_cost_0_0_is_less else
-        slice1winner4_best_cost_0_0;
-      slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1 when slice1winner5_best_cost_0_0_is_less else
-        slice1winner4_best_index_0_0;
+      if slice1winner5_best_cost_0_0_is_less then
+        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_1;
+        slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_1;
+      else
+        slice1winner5_best_cost_0_0 <= slice1winner4_best_cost_0_0;
+        slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_0;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner5_best_cost_0_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner5_best_index_0_0 / 2) + 75) * 2) + (slice1winner5_best_index_0_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner5_best_cost_0_0;
+        slice1_best_index_0_0 <= (((slice1winner5_best_index_0_0 / 2) + 75) * 2) + (slice1winner5_best_index_0_0 mod 2);
+      end if;
       -- slice2shift
       if slice0cost_pixels_first_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -5723,100 +7767,256 @@ begin
       slice2shift_search_out_0 <= slice2shift_search_0_0;
       slice2shift_search_out_1 <= slice2shift_search_1_0;
       -- slice2cost
-      slice2cost_column_0_0_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 mod
-        2048;
-      slice2cost_column_0_0_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_0 +
-        slice2cost_column_0_0_choice) mod 2048;
-      slice2cost_column_0_1_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 / 2048;
-      slice2cost_column_0_1_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_1 +
-        slice2cost_column_0_1_choice) mod 2048;
-      slice2cost_column_0_2_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_1 mod
-        2048;
-      slice2cost_column_0_2_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_2 +
-        slice2cost_column_0_2_choice) mod 2048;
-      slice2cost_column_0_3_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_1 / 2048;
-      slice2cost_column_0_3_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_3 +
-        slice2cost_column_0_3_choice) mod 2048;
-      slice2cost_column_0_4_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_2 mod
-        2048;
-      slice2cost_column_0_4_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_4 +
-        slice2cost_column_0_4_choice) mod 2048;
-      slice2cost_column_0_5_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_2 / 2048;
-      slice2cost_column_0_5_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_5 +
-        slice2cost_column_0_5_choice) mod 2048;
-      slice2cost_column_0_6_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_3 mod
-        2048;
-      slice2cost_column_0_6_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_6 +
-        slice2cost_column_0_6_choice) mod 2048;
-      slice2cost_column_0_7_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_3 / 2048;
-      slice2cost_column_0_7_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_7 +
-        slice2cost_column_0_7_choice) mod 2048;
-      slice2cost_column_0_8_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_4 mod
-        2048;
-      slice2cost_column_0_8_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_8 +
-        slice2cost_column_0_8_choice) mod 2048;
-      slice2cost_column_0_9_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_4 / 2048;
-      slice2cost_column_0_9_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_9 +
-        slice2cost_column_0_9_choice) mod 2048;
-      slice2cost_column_0_10_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_5 mod
-        2048;
-      slice2cost_column_0_10_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_10 +
-        slice2cost_column_0_10_choice) mod 2048;
-      slice2cost_column_0_11_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_5 /
-        2048;
-      slice2cost_column_0_11_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_11 +
-        slice2cost_column_0_11_choice) mod 2048;
-      slice2cost_column_0_12_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_6 mod
-        2048;
-      slice2cost_column_0_12_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_12 +
-        slice2cost_column_0_12_choice) mod 2048;
-      slice2cost_column_0_13_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_6 /
-        2048;
-      slice2cost_column_0_13_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_13 +
-        slice2cost_column_0_13_choice) mod 2048;
-      slice2cost_column_0_14_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_7 mod
-        2048;
-      slice2cost_column_0_14_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_14 +
-        slice2cost_column_0_14_choice) mod 2048;
-      slice2cost_column_0_15_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_7 /
-        2048;
-      slice2cost_column_0_15_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_15 +
-        slice2cost_column_0_15_choice) mod 2048;
-      slice2cost_column_0_16_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_8 mod
-        2048;
-      slice2cost_column_0_16_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_16 +
-        slice2cost_column_0_16_choice) mod 2048;
-      slice2cost_column_0_17_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_8 /
-        2048;
-      slice2cost_column_0_17_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_17 +
-        slice2cost_column_0_17_choice) mod 2048;
-      slice2cost_column_0_18_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_9 mod
-        2048;
-      slice2cost_column_0_18_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_18 +
-        slice2cost_column_0_18_choice) mod 2048;
-      slice2cost_column_0_19_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_9 /
-        2048;
-      slice2cost_column_0_19_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_19 +
-        slice2cost_column_0_19_choice) mod 2048;
-      slice2cost_column_0_20_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_10 mod
-        2048;
-      slice2cost_column_0_20_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_20 +
-        slice2cost_column_0_20_choice) mod 2048;
-      slice2cost_column_0_21_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_10 /
-        2048;
-      slice2cost_column_0_21_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_21 +
-        slice2cost_column_0_21_choice) mod 2048;
-      slice2cost_column_0_22_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_11 mod
-        2048;
-      slice2cost_column_0_22_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_22 +
-        slice2cost_column_0_22_choice) mod 2048;
-      slice2cost_column_0_23_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_11 /
-        2048;
-      slice2cost_column_0_23_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_23 +
-        slice2cost_column_0_23_choice) mod 2048;
-      slice2cost_column_0_24_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_12;
-      slice2cost_column_0_24_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_24 +
-        slice2cost_column_0_24_choice) mod 2048;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_0_choice := 0;
+      else
+        slice2cost_column_0_0_choice := slice2cost_ready_words_0 mod 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_0_choice_2 := 0;
+      else
+        slice2cost_column_0_0_choice_2 := (slice2cost_change_0_0 + slice2cost_column_0_0_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_1_choice := 0;
+      else
+        slice2cost_column_0_1_choice := slice2cost_ready_words_0 / 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_1_choice_2 := 0;
+      else
+        slice2cost_column_0_1_choice_2 := (slice2cost_change_0_1 + slice2cost_column_0_1_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_2_choice := 0;
+      else
+        slice2cost_column_0_2_choice := slice2cost_ready_words_1 mod 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_2_choice_2 := 0;
+      else
+        slice2cost_column_0_2_choice_2 := (slice2cost_change_0_2 + slice2cost_column_0_2_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_3_choice := 0;
+      else
+        slice2cost_column_0_3_choice := slice2cost_ready_words_1 / 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_3_choice_2 := 0;
+      else
+        slice2cost_column_0_3_choice_2 := (slice2cost_change_0_3 + slice2cost_column_0_3_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_4_choice := 0;
+      else
+        slice2cost_column_0_4_choice := slice2cost_ready_words_2 mod 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_4_choice_2 := 0;
+      else
+        slice2cost_column_0_4_choice_2 := (slice2cost_change_0_4 + slice2cost_column_0_4_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_5_choice := 0;
+      else
+        slice2cost_column_0_5_choice := slice2cost_ready_words_2 / 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_5_choice_2 := 0;
+      else
+        slice2cost_column_0_5_choice_2 := (slice2cost_change_0_5 + slice2cost_column_0_5_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_6_choice := 0;
+      else
+        slice2cost_column_0_6_choice := slice2cost_ready_words_3 mod 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_6_choice_2 := 0;
+      else
+        slice2cost_column_0_6_choice_2 := (slice2cost_change_0_6 + slice2cost_column_0_6_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_7_choice := 0;
+      else
+        slice2cost_column_0_7_choice := slice2cost_ready_words_3 / 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_7_choice_2 := 0;
+      else
+        slice2cost_column_0_7_choice_2 := (slice2cost_change_0_7 + slice2cost_column_0_7_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_8_choice := 0;
+      else
+        slice2cost_column_0_8_choice := slice2cost_ready_words_4 mod 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_8_choice_2 := 0;
+      else
+        slice2cost_column_0_8_choice_2 := (slice2cost_change_0_8 + slice2cost_column_0_8_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_9_choice := 0;
+      else
+        slice2cost_column_0_9_choice := slice2cost_ready_words_4 / 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_9_choice_2 := 0;
+      else
+        slice2cost_column_0_9_choice_2 := (slice2cost_change_0_9 + slice2cost_column_0_9_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_10_choice := 0;
+      else
+        slice2cost_column_0_10_choice := slice2cost_ready_words_5 mod 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_10_choice_2 := 0;
+      else
+        slice2cost_column_0_10_choice_2 := (slice2cost_change_0_10 + slice2cost_column_0_10_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_11_choice := 0;
+      else
+        slice2cost_column_0_11_choice := slice2cost_ready_words_5 / 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_11_choice_2 := 0;
+      else
+        slice2cost_column_0_11_choice_2 := (slice2cost_change_0_11 + slice2cost_column_0_11_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_12_choice := 0;
+      else
+        slice2cost_column_0_12_choice := slice2cost_ready_words_6 mod 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_12_choice_2 := 0;
+      else
+        slice2cost_column_0_12_choice_2 := (slice2cost_change_0_12 + slice2cost_column_0_12_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_13_choice := 0;
+      else
+        slice2cost_column_0_13_choice := slice2cost_ready_words_6 / 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_13_choice_2 := 0;
+      else
+        slice2cost_column_0_13_choice_2 := (slice2cost_change_0_13 + slice2cost_column_0_13_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_14_choice := 0;
+      else
+        slice2cost_column_0_14_choice := slice2cost_ready_words_7 mod 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_14_choice_2 := 0;
+      else
+        slice2cost_column_0_14_choice_2 := (slice2cost_change_0_14 + slice2cost_column_0_14_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_15_choice := 0;
+      else
+        slice2cost_column_0_15_choice := slice2cost_ready_words_7 / 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_15_choice_2 := 0;
+      else
+        slice2cost_column_0_15_choice_2 := (slice2cost_change_0_15 + slice2cost_column_0_15_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_16_choice := 0;
+      else
+        slice2cost_column_0_16_choice := slice2cost_ready_words_8 mod 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_16_choice_2 := 0;
+      else
+        slice2cost_column_0_16_choice_2 := (slice2cost_change_0_16 + slice2cost_column_0_16_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_17_choice := 0;
+      else
+        slice2cost_column_0_17_choice := slice2cost_ready_words_8 / 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_17_choice_2 := 0;
+      else
+        slice2cost_column_0_17_choice_2 := (slice2cost_change_0_17 + slice2cost_column_0_17_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_18_choice := 0;
+      else
+        slice2cost_column_0_18_choice := slice2cost_ready_words_9 mod 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_18_choice_2 := 0;
+      else
+        slice2cost_column_0_18_choice_2 := (slice2cost_change_0_18 + slice2cost_column_0_18_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_19_choice := 0;
+      else
+        slice2cost_column_0_19_choice := slice2cost_ready_words_9 / 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_19_choice_2 := 0;
+      else
+        slice2cost_column_0_19_choice_2 := (slice2cost_change_0_19 + slice2cost_column_0_19_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_20_choice := 0;
+      else
+        slice2cost_column_0_20_choice := slice2cost_ready_words_10 mod 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_20_choice_2 := 0;
+      else
+        slice2cost_column_0_20_choice_2 := (slice2cost_change_0_20 + slice2cost_column_0_20_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_21_choice := 0;
+      else
+        slice2cost_column_0_21_choice := slice2cost_ready_words_10 / 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_21_choice_2 := 0;
+      else
+        slice2cost_column_0_21_choice_2 := (slice2cost_change_0_21 + slice2cost_column_0_21_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_22_choice := 0;
+      else
+        slice2cost_column_0_22_choice := slice2cost_ready_words_11 mod 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_22_choice_2 := 0;
+      else
+        slice2cost_column_0_22_choice_2 := (slice2cost_change_0_22 + slice2cost_column_0_22_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_23_choice := 0;
+      else
+        slice2cost_column_0_23_choice := slice2cost_ready_words_11 / 2048;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_23_choice_2 := 0;
+      else
+        slice2cost_column_0_23_choice_2 := (slice2cost_change_0_23 + slice2cost_column_0_23_choice) mod 2048;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_24_choice := 0;
+      else
+        slice2cost_column_0_24_choice := slice2cost_ready_words_12;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_24_choice_2 := 0;
+      else
+        slice2cost_column_0_24_choice_2 := (slice2cost_change_0_24 + slice2cost_column_0_24_choice) mod 2048;
+      end if;
       slice2cost_pixels_first_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_pixels_first_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_pixels_first_0_2 <= slice2shift_search_0_2 - slice2shift_reference_0;
@@ -6034,8 +8234,6 @@ begin
       slice2cost_column_0_23 <= slice2cost_column_0_23_choice_2;
       slice2cost_column_0_24 <= slice2cost_column_0_24_choice_2;
       if slice0window_entering_tag_valid then
-        slice2cost_write_column <= 0 when slice0window_entering_tag_row_start else (slice2cost_write_column + 1) mod
-          1024;
         slice2cost_write_words_0 <= (slice2cost_column_0_1_choice_2 * 2048) + slice2cost_column_0_0_choice_2;
         slice2cost_write_words_1 <= (slice2cost_column_0_3_choice_2 * 2048) + slice2cost_column_0_2_choice_2;
         slice2cost_write_words_2 <= (slice2cost_column_0_5_choice_2 * 2048) + slice2cost_column_0_4_choice_2;
@@ -6049,12 +8247,20 @@ begin
         slice2cost_write_words_10 <= (slice2cost_column_0_21_choice_2 * 2048) + slice2cost_column_0_20_choice_2;
         slice2cost_write_words_11 <= (slice2cost_column_0_23_choice_2 * 2048) + slice2cost_column_0_22_choice_2;
         slice2cost_write_words_12 <= slice2cost_column_0_24_choice_2;
+        if slice0window_entering_tag_row_start then
+          slice2cost_write_column <= 0;
+        else
+          slice2cost_write_column <= (slice2cost_write_column + 1) mod 1024;
+        end if;
       end if;
       -- slice2window
       if slice0window_change_tag_valid then
-        slice2window_ring_read_address <= 0 when slice2window_ring_read_address = 7 else
-          (slice2window_ring_read_address + 1) mod 8;
         slice2window_ring_write_address <= slice2window_ring_read_address;
+        if slice2window_ring_read_address = 7 then
+          slice2window_ring_read_address <= 0;
+        else
+          slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice1window_change_tag_leaves_window then
         slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(10 downto 0));
@@ -6237,31 +8443,131 @@ begin
       slice2window_centre_output_column_1 <= slice1window_centre_output_column_1;
       slice2window_centre_first_column_0 <= slice1window_centre_first_column_0;
       slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
-      slice2window_sum_0_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_0;
-      slice2window_sum_0_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_1;
-      slice2window_sum_0_2_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_2;
-      slice2window_sum_0_3_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_3;
-      slice2window_sum_0_4_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_4;
-      slice2window_sum_0_5_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_5;
-      slice2window_sum_0_6_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_6;
-      slice2window_sum_0_7_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_7;
-      slice2window_sum_0_8_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_8;
-      slice2window_sum_0_9_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_9;
-      slice2window_sum_0_10_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_10;
-      slice2window_sum_0_11_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_11;
-      slice2window_sum_0_12_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_12;
-      slice2window_sum_0_13_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_13;
-      slice2window_sum_0_14_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_14;
-      slice2window_sum_0_15_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_15;
-      slice2window_sum_0_16_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_16;
-      slice2window_sum_0_17_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_17;
-      slice2window_sum_0_18_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_18;
-      slice2window_sum_0_19_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_19;
-      slice2window_sum_0_20_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_20;
-      slice2window_sum_0_21_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_21;
-      slice2window_sum_0_22_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_22;
-      slice2window_sum_0_23_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_23;
-      slice2window_sum_0_24_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_24;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_0_choice := 0;
+      else
+        slice2window_sum_0_0_choice := slice2window_sum_0_0;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_1_choice := 0;
+      else
+        slice2window_sum_0_1_choice := slice2window_sum_0_1;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_2_choice := 0;
+      else
+        slice2window_sum_0_2_choice := slice2window_sum_0_2;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_3_choice := 0;
+      else
+        slice2window_sum_0_3_choice := slice2window_sum_0_3;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_4_choice := 0;
+      else
+        slice2window_sum_0_4_choice := slice2window_sum_0_4;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_5_choice := 0;
+      else
+        slice2window_sum_0_5_choice := slice2window_sum_0_5;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_6_choice := 0;
+      else
+        slice2window_sum_0_6_choice := slice2window_sum_0_6;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_7_choice := 0;
+      else
+        slice2window_sum_0_7_choice := slice2window_sum_0_7;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_8_choice := 0;
+      else
+        slice2window_sum_0_8_choice := slice2window_sum_0_8;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_9_choice := 0;
+      else
+        slice2window_sum_0_9_choice := slice2window_sum_0_9;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_10_choice := 0;
+      else
+        slice2window_sum_0_10_choice := slice2window_sum_0_10;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_11_choice := 0;
+      else
+        slice2window_sum_0_11_choice := slice2window_sum_0_11;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_12_choice := 0;
+      else
+        slice2window_sum_0_12_choice := slice2window_sum_0_12;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_13_choice := 0;
+      else
+        slice2window_sum_0_13_choice := slice2window_sum_0_13;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_14_choice := 0;
+      else
+        slice2window_sum_0_14_choice := slice2window_sum_0_14;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_15_choice := 0;
+      else
+        slice2window_sum_0_15_choice := slice2window_sum_0_15;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_16_choice := 0;
+      else
+        slice2window_sum_0_16_choice := slice2window_sum_0_16;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_17_choice := 0;
+      else
+        slice2window_sum_0_17_choice := slice2window_sum_0_17;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_18_choice := 0;
+      else
+        slice2window_sum_0_18_choice := slice2window_sum_0_18;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_19_choice := 0;
+      else
+        slice2window_sum_0_19_choice := slice2window_sum_0_19;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_20_choice := 0;
+      else
+        slice2window_sum_0_20_choice := slice2window_sum_0_20;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_21_choice := 0;
+      else
+        slice2window_sum_0_21_choice := slice2window_sum_0_21;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_22_choice := 0;
+      else
+        slice2window_sum_0_22_choice := slice2window_sum_0_22;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_23_choice := 0;
+      else
+        slice2window_sum_0_23_choice := slice2window_sum_0_23;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_24_choice := 0;
+      else
+        slice2window_sum_0_24_choice := slice2window_sum_0_24;
+      end if;
       if slice0winner1_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 16384;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 16384;
@@ -6302,43 +8608,90 @@ begin
       slice2winner1_best_cost_0_9_is_less := (slice2window_sum_0_19 - slice2window_sum_0_18) < 0;
       slice2winner1_best_cost_0_10_is_less := (slice2window_sum_0_21 - slice2window_sum_0_20) < 0;
       slice2winner1_best_cost_0_11_is_less := (slice2window_sum_0_23 - slice2window_sum_0_22) < 0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when slice2winner1_best_cost_0_1_is_less else
-        slice2window_sum_0_2;
-      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when slice2winner1_best_cost_0_2_is_less else
-        slice2window_sum_0_4;
-      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when slice2winner1_best_cost_0_3_is_less else
-        slice2window_sum_0_6;
-      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when slice2winner1_best_cost_0_4_is_less else
-        slice2window_sum_0_8;
-      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when slice2winner1_best_cost_0_5_is_less else
-        slice2window_sum_0_10;
-      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when slice2winner1_best_cost_0_6_is_less else
-        slice2window_sum_0_12;
-      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when slice2winner1_best_cost_0_7_is_less else
-        slice2window_sum_0_14;
-      slice2winner1_best_cost_0_8 <= slice2window_sum_0_17 when slice2winner1_best_cost_0_8_is_less else
-        slice2window_sum_0_16;
-      slice2winner1_best_cost_0_9 <= slice2window_sum_0_19 when slice2winner1_best_cost_0_9_is_less else
-        slice2window_sum_0_18;
-      slice2winner1_best_cost_0_10 <= slice2window_sum_0_21 when slice2winner1_best_cost_0_10_is_less else
-        slice2window_sum_0_20;
-      slice2winner1_best_cost_0_11 <= slice2window_sum_0_23 when slice2winner1_best_cost_0_11_is_less else
-        slice2window_sum_0_22;
       slice2winner1_best_cost_0_12 <= slice2window_sum_0_24;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_index_0_1 <= 3 when slice2winner1_best_cost_0_1_is_less else 2;
-      slice2winner1_best_index_0_2 <= 5 when slice2winner1_best_cost_0_2_is_less else 4;
-      slice2winner1_best_index_0_3 <= 7 when slice2winner1_best_cost_0_3_is_less else 6;
-      slice2winner1_best_index_0_4 <= 9 when slice2winner1_best_cost_0_4_is_less else 8;
-      slice2winner1_best_index_0_5 <= 11 when slice2winner1_best_cost_0_5_is_less else 10;
-      slice2winner1_best_index_0_6 <= 13 when slice2winner1_best_cost_0_6_is_less else 12;
-      slice2winner1_best_index_0_7 <= 15 when slice2winner1_best_cost_0_7_is_less else 14;
-      slice2winner1_best_index_0_8 <= 17 when slice2winner1_best_cost_0_8_is_less else 16;
-      slice2winner1_best_index_0_9 <= 19 when slice2winner1_best_cost_0_9_is_less else 18;
-      slice2winner1_best_index_0_10 <= 21 when slice2winner1_best_cost_0_10_is_less else 20;
-      slice2winner1_best_index_0_11 <= 23 when slice2winner1_best_cost_0_11_is_less else 22;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
+      if slice2winner1_best_cost_0_1_is_less then
+        slice2winner1_best_cost_0_1 <= slice2window_sum_0_3;
+        slice2winner1_best_index_0_1 <= 3;
+      else
+        slice2winner1_best_cost_0_1 <= slice2window_sum_0_2;
+        slice2winner1_best_index_0_1 <= 2;
+      end if;
+      if slice2winner1_best_cost_0_2_is_less then
+        slice2winner1_best_cost_0_2 <= slice2window_sum_0_5;
+        slice2winner1_best_index_0_2 <= 5;
+      else
+        slice2winner1_best_cost_0_2 <= slice2window_sum_0_4;
+        slice2winner1_best_index_0_2 <= 4;
+      end if;
+      if slice2winner1_best_cost_0_3_is_less then
+        slice2winner1_best_cost_0_3 <= slice2window_sum_0_7;
+        slice2winner1_best_index_0_3 <= 7;
+      else
+        slice2winner1_best_cost_0_3 <= slice2window_sum_0_6;
+        slice2winner1_best_index_0_3 <= 6;
+      end if;
+      if slice2winner1_best_cost_0_4_is_less then
+        slice2winner1_best_cost_0_4 <= slice2window_sum_0_9;
+        slice2winner1_best_index_0_4 <= 9;
+      else
+        slice2winner1_best_cost_0_4 <= slice2window_sum_0_8;
+        slice2winner1_best_index_0_4 <= 8;
+      end if;
+      if slice2winner1_best_cost_0_5_is_less then
+        slice2winner1_best_cost_0_5 <= slice2window_sum_0_11;
+        slice2winner1_best_index_0_5 <= 11;
+      else
+        slice2winner1_best_cost_0_5 <= slice2window_sum_0_10;
+        slice2winner1_best_index_0_5 <= 10;
+      end if;
+      if slice2winner1_best_cost_0_6_is_less then
+        slice2winner1_best_cost_0_6 <= slice2window_sum_0_13;
+        slice2winner1_best_index_0_6 <= 13;
+      else
+        slice2winner1_best_cost_0_6 <= slice2window_sum_0_12;
+        slice2winner1_best_index_0_6 <= 12;
+      end if;
+      if slice2winner1_best_cost_0_7_is_less then
+        slice2winner1_best_cost_0_7 <= slice2window_sum_0_15;
+        slice2winner1_best_index_0_7 <= 15;
+      else
+        slice2winner1_best_cost_0_7 <= slice2window_sum_0_14;
+        slice2winner1_best_index_0_7 <= 14;
+      end if;
+      if slice2winner1_best_cost_0_8_is_less then
+        slice2winner1_best_cost_0_8 <= slice2window_sum_0_17;
+        slice2winner1_best_index_0_8 <= 17;
+      else
+        slice2winner1_best_cost_0_8 <= slice2window_sum_0_16;
+        slice2winner1_best_index_0_8 <= 16;
+      end if;
+      if slice2winner1_best_cost_0_9_is_less then
+        slice2winner1_best_cost_0_9 <= slice2window_sum_0_19;
+        slice2winner1_best_index_0_9 <= 19;
+      else
+        slice2winner1_best_cost_0_9 <= slice2window_sum_0_18;
+        slice2winner1_best_index_0_9 <= 18;
+      end if;
+      if slice2winner1_best_cost_0_10_is_less then
+        slice2winner1_best_cost_0_10 <= slice2window_sum_0_21;
+        slice2winner1_best_index_0_10 <= 21;
+      else
+        slice2winner1_best_cost_0_10 <= slice2window_sum_0_20;
+        slice2winner1_best_index_0_10 <= 20;
+      end if;
+      if slice2winner1_best_cost_0_11_is_less then
+        slice2winner1_best_cost_0_11 <= slice2window_sum_0_23;
+        slice2winner1_best_index_0_11 <= 23;
+      else
+        slice2winner1_best_cost_0_11 <= slice2window_sum_0_22;
+        slice2winner1_best_index_0_11 <= 22;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
       slice2winner2_best_cost_0_1_is_less := (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0;
@@ -6346,74 +8699,114 @@ begin
       slice2winner2_best_cost_0_3_is_less := (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0;
       slice2winner2_best_cost_0_4_is_less := (slice2winner1_best_cost_0_9 - slice2winner1_best_cost_0_8) < 0;
       slice2winner2_best_cost_0_5_is_less := (slice2winner1_best_cost_0_11 - slice2winner1_best_cost_0_10) < 0;
-      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
-        slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when slice2winner2_best_cost_0_1_is_less else
-        slice2winner1_best_cost_0_2;
-      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when slice2winner2_best_cost_0_2_is_less else
-        slice2winner1_best_cost_0_4;
-      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_cost_0_6;
-      slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_9 when slice2winner2_best_cost_0_4_is_less else
-        slice2winner1_best_cost_0_8;
-      slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_11 when slice2winner2_best_cost_0_5_is_less else
-        slice2winner1_best_cost_0_10;
       slice2winner2_best_cost_0_6 <= slice2winner1_best_cost_0_12;
-      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
-        as_number(slice2winner1_best_index_0_0);
-      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_cost_0_1_is_less else
-        slice2winner1_best_index_0_2;
-      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_cost_0_2_is_less else
-        slice2winner1_best_index_0_4;
-      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_cost_0_3_is_less else
-        slice2winner1_best_index_0_6;
-      slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9 when slice2winner2_best_cost_0_4_is_less else
-        slice2winner1_best_index_0_8;
-      slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11 when slice2winner2_best_cost_0_5_is_less else
-        slice2winner1_best_index_0_10;
+      if slice2winner2_best_cost_0_0_is_less then
+        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1;
+        slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1;
+      else
+        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
+        slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
+      end if;
+      if slice2winner2_best_cost_0_1_is_less then
+        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3;
+        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3;
+      else
+        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_2;
+        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2;
+      end if;
+      if slice2winner2_best_cost_0_2_is_less then
+        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5;
+        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5;
+      else
+        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_4;
+        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
+      end if;
+      if slice2winner2_best_cost_0_3_is_less then
+        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7;
+        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7;
+      else
+        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_6;
+        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_6;
+      end if;
+      if slice2winner2_best_cost_0_4_is_less then
+        slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_9;
+        slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_9;
+      else
+        slice2winner2_best_cost_0_4 <= slice2winner1_best_cost_0_8;
+        slice2winner2_best_index_0_4 <= slice2winner1_best_index_0_8;
+      end if;
+      if slice2winner2_best_cost_0_5_is_less then
+        slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_11;
+        slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_11;
+      else
+        slice2winner2_best_cost_0_5 <= slice2winner1_best_cost_0_10;
+        slice2winner2_best_index_0_5 <= slice2winner1_best_index_0_10;
+      end if;
       -- slice2winner3
       slice2winner3_best_cost_0_0_is_less := (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0;
       slice2winner3_best_cost_0_1_is_less := (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0;
       slice2winner3_best_cost_0_2_is_less := (slice2winner2_best_cost_0_5 - slice2winner2_best_cost_0_4) < 0;
-      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when slice2winner3_best_cost_0_0_is_less else
-        slice2winner2_best_cost_0_0;
-      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_cost_0_2;
-      slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_5 when slice2winner3_best_cost_0_2_is_less else
-        slice2winner2_best_cost_0_4;
       slice2winner3_best_cost_0_3 <= slice2winner2_best_cost_0_6;
-      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_cost_0_0_is_less else
-        slice2winner2_best_index_0_0;
-      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_cost_0_1_is_less else
-        slice2winner2_best_index_0_2;
-      slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5 when slice2winner3_best_cost_0_2_is_less else
-        slice2winner2_best_index_0_4;
+      if slice2winner3_best_cost_0_0_is_less then
+        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1;
+        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1;
+      else
+        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+      end if;
+      if slice2winner3_best_cost_0_1_is_less then
+        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3;
+        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3;
+      else
+        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_2;
+        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
+      end if;
+      if slice2winner3_best_cost_0_2_is_less then
+        slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_5;
+        slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_5;
+      else
+        slice2winner3_best_cost_0_2 <= slice2winner2_best_cost_0_4;
+        slice2winner3_best_index_0_2 <= slice2winner2_best_index_0_4;
+      end if;
       -- slice2winner4
       slice2winner4_best_cost_0_0_is_less := (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0;
       slice2winner4_best_cost_0_1_is_less := (slice2winner3_best_cost_0_3 - slice2winner3_best_cost_0_2) < 0;
-      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_cost_0_0;
-      slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_3 when slice2winner4_best_cost_0_1_is_less else
-        slice2winner3_best_cost_0_2;
-      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1 when slice2winner4_best_cost_0_0_is_less else
-        slice2winner3_best_index_0_0;
-      slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice2winner4_best_cost_0_1_is_less else
-        slice2winner3_best_index_0_2;
+      if slice2winner4_best_cost_0_0_is_less then
+        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1;
+        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1;
+      else
+        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_0;
+        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0;
+      end if;
+      if slice2winner4_best_cost_0_1_is_less then
+        slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_3;
+        slice2winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice2winner4_best_cost_0_1 <= slice2winner3_best_cost_0_2;
+        slice2winner4_best_index_0_1 <= slice2winner3_best_index_0_2;
+      end if;
       -- slice2winner5
       slice2winner5_best_cost_0_0_is_less := (slice2winner4_best_cost_0_1 - slice2winner4_best_cost_0_0) < 0;
-      slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_1 when slice2winner5_best_cost_0_0_is_less else
-        slice2winner4_best_cost_0_0;
-      slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1 when slice2winner5_best_cost_0_0_is_less else
-        slice2winner4_best_index_0_0;
+      if slice2winner5_best_cost_0_0_is_less then
+        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_1;
+        slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_1;
+      else
+        slice2winner5_best_cost_0_0 <= slice2winner4_best_cost_0_0;
+        slice2winner5_best_index_0_0 <= slice2winner4_best_index_0_0;
+      end if;
       -- slice2
       slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner5_best_cost_0_0) < 0;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice2winner5_best_cost_0_0;
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner5_best_index_0_0 + 125;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if slice2_best_cost_0_0_is_less then
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      else
+        slice2_best_cost_0_0 <= slice2winner5_best_cost_0_0;
+        slice2_best_index_0_0 <= slice2winner5_best_index_0_0 + 125;
+      end if;
       -- slice3shift
       if slice0cost_pixels_tag_valid then
         slice3shift_search_0_0 <= slice3shift_search_0_1;
@@ -6472,88 +8865,256 @@ begin
       slice3shift_search_out_0 <= slice3shift_search_0_0;
       slice3shift_search_out_1 <= slice3shift_search_1_0;
       -- slice3cost
-      slice3cost_column_0_0_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_0 mod 2048;
-      slice3cost_column_0_0_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_0 +
-        slice3cost_column_0_0_choice) mod 2048;
-      slice3cost_column_0_1_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_0 / 2048;
-      slice3cost_column_0_1_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_1 +
-        slice3cost_column_0_1_choice) mod 2048;
-      slice3cost_column_0_2_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_1 mod 2048;
-      slice3cost_column_0_2_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_2 +
-        slice3cost_column_0_2_choice) mod 2048;
-      slice3cost_column_0_3_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_1 / 2048;
-      slice3cost_column_0_3_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_3 +
-        slice3cost_column_0_3_choice) mod 2048;
-      slice3cost_column_0_4_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_2 mod 2048;
-      slice3cost_column_0_4_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_4 +
-        slice3cost_column_0_4_choice) mod 2048;
-      slice3cost_column_0_5_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_2 / 2048;
-      slice3cost_column_0_5_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_5 +
-        slice3cost_column_0_5_choice) mod 2048;
-      slice3cost_column_0_6_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_3 mod 2048;
-      slice3cost_column_0_6_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_6 +
-        slice3cost_column_0_6_choice) mod 2048;
-      slice3cost_column_0_7_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_3 / 2048;
-      slice3cost_column_0_7_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_7 +
-        slice3cost_column_0_7_choice) mod 2048;
-      slice3cost_column_0_8_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_4 mod 2048;
-      slice3cost_column_0_8_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_8 +
-        slice3cost_column_0_8_choice) mod 2048;
-      slice3cost_column_0_9_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_4 / 2048;
-      slice3cost_column_0_9_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_9 +
-        slice3cost_column_0_9_choice) mod 2048;
-      slice3cost_column_0_10_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_5 mod
-        2048;
-      slice3cost_column_0_10_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_10 +
-        slice3cost_column_0_10_choice) mod 2048;
-      slice3cost_column_0_11_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_5 / 2048;
-      slice3cost_column_0_11_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_11 +
-        slice3cost_column_0_11_choice) mod 2048;
-      slice3cost_column_0_12_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_6 mod
-        2048;
-      slice3cost_column_0_12_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_12 +
-        slice3cost_column_0_12_choice) mod 2048;
-      slice3cost_column_0_13_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_6 / 2048;
-      slice3cost_column_0_13_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_13 +
-        slice3cost_column_0_13_choice) mod 2048;
-      slice3cost_column_0_14_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_7 mod
-        2048;
-      slice3cost_column_0_14_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_14 +
-        slice3cost_column_0_14_choice) mod 2048;
-      slice3cost_column_0_15_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_7 / 2048;
-      slice3cost_column_0_15_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_15 +
-        slice3cost_column_0_15_choice) mod 2048;
-      slice3cost_column_0_16_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_8 mod
-        2048;
-      slice3cost_column_0_16_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_16 +
-        slice3cost_column_0_16_choice) mod 2048;
-      slice3cost_column_0_17_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_8 / 2048;
-      slice3cost_column_0_17_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_17 +
-        slice3cost_column_0_17_choice) mod 2048;
-      slice3cost_column_0_18_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_9 mod
-        2048;
-      slice3cost_column_0_18_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_18 +
-        slice3cost_column_0_18_choice) mod 2048;
-      slice3cost_column_0_19_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_9 / 2048;
-      slice3cost_column_0_19_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_19 +
-        slice3cost_column_0_19_choice) mod 2048;
-      slice3cost_column_0_20_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_10 mod
-        2048;
-      slice3cost_column_0_20_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_20 +
-        slice3cost_column_0_20_choice) mod 2048;
-      slice3cost_column_0_21_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_10 / 2048;
-      slice3cost_column_0_21_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_21 +
-        slice3cost_column_0_21_choice) mod 2048;
-      slice3cost_column_0_22_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_11 mod
-        2048;
-      slice3cost_column_0_22_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_22 +
-        slice3cost_column_0_22_choice) mod 2048;
-      slice3cost_column_0_23_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_11 / 2048;
-      slice3cost_column_0_23_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_23 +
-        slice3cost_column_0_23_choice) mod 2048;
-      slice3cost_column_0_24_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_12;
-      slice3cost_column_0_24_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_24 +
-        slice3cost_column_0_24_choice) mod 2048;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_0_choice := 0;
+      else
+        slice3cost_column_0_0_choice := slice3cost_ready_words_0 mod 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_0_choice_2 := 0;
+      else
+        slice3cost_column_0_0_choice_2 := (slice3cost_change_0_0 + slice3cost_column_0_0_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_1_choice := 0;
+      else
+        slice3cost_column_0_1_choice := slice3cost_ready_words_0 / 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_1_choice_2 := 0;
+      else
+        slice3cost_column_0_1_choice_2 := (slice3cost_change_0_1 + slice3cost_column_0_1_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_2_choice := 0;
+      else
+        slice3cost_column_0_2_choice := slice3cost_ready_words_1 mod 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_2_choice_2 := 0;
+      else
+        slice3cost_column_0_2_choice_2 := (slice3cost_change_0_2 + slice3cost_column_0_2_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_3_choice := 0;
+      else
+        slice3cost_column_0_3_choice := slice3cost_ready_words_1 / 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_3_choice_2 := 0;
+      else
+        slice3cost_column_0_3_choice_2 := (slice3cost_change_0_3 + slice3cost_column_0_3_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_4_choice := 0;
+      else
+        slice3cost_column_0_4_choice := slice3cost_ready_words_2 mod 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_4_choice_2 := 0;
+      else
+        slice3cost_column_0_4_choice_2 := (slice3cost_change_0_4 + slice3cost_column_0_4_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_5_choice := 0;
+      else
+        slice3cost_column_0_5_choice := slice3cost_ready_words_2 / 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_5_choice_2 := 0;
+      else
+        slice3cost_column_0_5_choice_2 := (slice3cost_change_0_5 + slice3cost_column_0_5_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_6_choice := 0;
+      else
+        slice3cost_column_0_6_choice := slice3cost_ready_words_3 mod 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_6_choice_2 := 0;
+      else
+        slice3cost_column_0_6_choice_2 := (slice3cost_change_0_6 + slice3cost_column_0_6_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_7_choice := 0;
+      else
+        slice3cost_column_0_7_choice := slice3cost_ready_words_3 / 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_7_choice_2 := 0;
+      else
+        slice3cost_column_0_7_choice_2 := (slice3cost_change_0_7 + slice3cost_column_0_7_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_8_choice := 0;
+      else
+        slice3cost_column_0_8_choice := slice3cost_ready_words_4 mod 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_8_choice_2 := 0;
+      else
+        slice3cost_column_0_8_choice_2 := (slice3cost_change_0_8 + slice3cost_column_0_8_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_9_choice := 0;
+      else
+        slice3cost_column_0_9_choice := slice3cost_ready_words_4 / 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_9_choice_2 := 0;
+      else
+        slice3cost_column_0_9_choice_2 := (slice3cost_change_0_9 + slice3cost_column_0_9_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_10_choice := 0;
+      else
+        slice3cost_column_0_10_choice := slice3cost_ready_words_5 mod 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_10_choice_2 := 0;
+      else
+        slice3cost_column_0_10_choice_2 := (slice3cost_change_0_10 + slice3cost_column_0_10_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_11_choice := 0;
+      else
+        slice3cost_column_0_11_choice := slice3cost_ready_words_5 / 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_11_choice_2 := 0;
+      else
+        slice3cost_column_0_11_choice_2 := (slice3cost_change_0_11 + slice3cost_column_0_11_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_12_choice := 0;
+      else
+        slice3cost_column_0_12_choice := slice3cost_ready_words_6 mod 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_12_choice_2 := 0;
+      else
+        slice3cost_column_0_12_choice_2 := (slice3cost_change_0_12 + slice3cost_column_0_12_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_13_choice := 0;
+      else
+        slice3cost_column_0_13_choice := slice3cost_ready_words_6 / 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_13_choice_2 := 0;
+      else
+        slice3cost_column_0_13_choice_2 := (slice3cost_change_0_13 + slice3cost_column_0_13_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_14_choice := 0;
+      else
+        slice3cost_column_0_14_choice := slice3cost_ready_words_7 mod 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_14_choice_2 := 0;
+      else
+        slice3cost_column_0_14_choice_2 := (slice3cost_change_0_14 + slice3cost_column_0_14_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_15_choice := 0;
+      else
+        slice3cost_column_0_15_choice := slice3cost_ready_words_7 / 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_15_choice_2 := 0;
+      else
+        slice3cost_column_0_15_choice_2 := (slice3cost_change_0_15 + slice3cost_column_0_15_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_16_choice := 0;
+      else
+        slice3cost_column_0_16_choice := slice3cost_ready_words_8 mod 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_16_choice_2 := 0;
+      else
+        slice3cost_column_0_16_choice_2 := (slice3cost_change_0_16 + slice3cost_column_0_16_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_17_choice := 0;
+      else
+        slice3cost_column_0_17_choice := slice3cost_ready_words_8 / 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_17_choice_2 := 0;
+      else
+        slice3cost_column_0_17_choice_2 := (slice3cost_change_0_17 + slice3cost_column_0_17_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_18_choice := 0;
+      else
+        slice3cost_column_0_18_choice := slice3cost_ready_words_9 mod 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_18_choice_2 := 0;
+      else
+        slice3cost_column_0_18_choice_2 := (slice3cost_change_0_18 + slice3cost_column_0_18_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_19_choice := 0;
+      else
+        slice3cost_column_0_19_choice := slice3cost_ready_words_9 / 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_19_choice_2 := 0;
+      else
+        slice3cost_column_0_19_choice_2 := (slice3cost_change_0_19 + slice3cost_column_0_19_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_20_choice := 0;
+      else
+        slice3cost_column_0_20_choice := slice3cost_ready_words_10 mod 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_20_choice_2 := 0;
+      else
+        slice3cost_column_0_20_choice_2 := (slice3cost_change_0_20 + slice3cost_column_0_20_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_21_choice := 0;
+      else
+        slice3cost_column_0_21_choice := slice3cost_ready_words_10 / 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_21_choice_2 := 0;
+      else
+        slice3cost_column_0_21_choice_2 := (slice3cost_change_0_21 + slice3cost_column_0_21_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_22_choice := 0;
+      else
+        slice3cost_column_0_22_choice := slice3cost_ready_words_11 mod 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_22_choice_2 := 0;
+      else
+        slice3cost_column_0_22_choice_2 := (slice3cost_change_0_22 + slice3cost_column_0_22_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_23_choice := 0;
+      else
+        slice3cost_column_0_23_choice := slice3cost_ready_words_11 / 2048;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_23_choice_2 := 0;
+      else
+        slice3cost_column_0_23_choice_2 := (slice3cost_change_0_23 + slice3cost_column_0_23_choice) mod 2048;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_24_choice := 0;
+      else
+        slice3cost_column_0_24_choice := slice3cost_ready_words_12;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_24_choice_2 := 0;
+      else
+        slice3cost_column_0_24_choice_2 := (slice3cost_change_0_24 + slice3cost_column_0_24_choice) mod 2048;
+      end if;
       slice3cost_pixels_first_0_0 <= slice3shift_search_0_0 - slice3shift_reference_0;
       slice3cost_pixels_first_0_1 <= slice3shift_search_0_1 - slice3shift_reference_0;
       slice3cost_pixels_first_0_2 <= slice3shift_search_0_2 - slice3shift_reference_0;
@@ -6790,9 +9351,12 @@ begin
       end if;
       -- slice3window
       if slice0window_tag_valid then
-        slice3window_ring_read_address <= 0 when slice3window_ring_read_address = 7 else
-          (slice3window_ring_read_address + 1) mod 8;
         slice3window_ring_write_address <= slice3window_ring_read_address;
+        if slice3window_ring_read_address = 7 then
+          slice3window_ring_read_address <= 0;
+        else
+          slice3window_ring_read_address <= (slice3window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice2window_change_tag_leaves_window then
         slice3window_change_0_0_choice := to_integer(slice3window_leaving_0(10 downto 0));
@@ -6975,31 +9539,131 @@ begin
       slice3window_centre_output_column_1 <= slice2window_centre_output_column_1;
       slice3window_centre_first_column_0 <= slice2window_centre_first_column_0;
       slice3window_centre_end_of_line_0 <= slice2window_centre_end_of_line_0;
-      slice3window_sum_0_0_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_0;
-      slice3window_sum_0_1_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_1;
-      slice3window_sum_0_2_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_2;
-      slice3window_sum_0_3_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_3;
-      slice3window_sum_0_4_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_4;
-      slice3window_sum_0_5_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_5;
-      slice3window_sum_0_6_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_6;
-      slice3window_sum_0_7_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_7;
-      slice3window_sum_0_8_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_8;
-      slice3window_sum_0_9_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_9;
-      slice3window_sum_0_10_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_10;
-      slice3window_sum_0_11_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_11;
-      slice3window_sum_0_12_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_12;
-      slice3window_sum_0_13_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_13;
-      slice3window_sum_0_14_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_14;
-      slice3window_sum_0_15_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_15;
-      slice3window_sum_0_16_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_16;
-      slice3window_sum_0_17_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_17;
-      slice3window_sum_0_18_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_18;
-      slice3window_sum_0_19_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_19;
-      slice3window_sum_0_20_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_20;
-      slice3window_sum_0_21_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_21;
-      slice3window_sum_0_22_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_22;
-      slice3window_sum_0_23_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_23;
-      slice3window_sum_0_24_choice := 0 when slice2window_centre_first_column_0 else slice3window_sum_0_24;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_0_choice := 0;
+      else
+        slice3window_sum_0_0_choice := slice3window_sum_0_0;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_1_choice := 0;
+      else
+        slice3window_sum_0_1_choice := slice3window_sum_0_1;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_2_choice := 0;
+      else
+        slice3window_sum_0_2_choice := slice3window_sum_0_2;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_3_choice := 0;
+      else
+        slice3window_sum_0_3_choice := slice3window_sum_0_3;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_4_choice := 0;
+      else
+        slice3window_sum_0_4_choice := slice3window_sum_0_4;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_5_choice := 0;
+      else
+        slice3window_sum_0_5_choice := slice3window_sum_0_5;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_6_choice := 0;
+      else
+        slice3window_sum_0_6_choice := slice3window_sum_0_6;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_7_choice := 0;
+      else
+        slice3window_sum_0_7_choice := slice3window_sum_0_7;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_8_choice := 0;
+      else
+        slice3window_sum_0_8_choice := slice3window_sum_0_8;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_9_choice := 0;
+      else
+        slice3window_sum_0_9_choice := slice3window_sum_0_9;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_10_choice := 0;
+      else
+        slice3window_sum_0_10_choice := slice3window_sum_0_10;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_11_choice := 0;
+      else
+        slice3window_sum_0_11_choice := slice3window_sum_0_11;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_12_choice := 0;
+      else
+        slice3window_sum_0_12_choice := slice3window_sum_0_12;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_13_choice := 0;
+      else
+        slice3window_sum_0_13_choice := slice3window_sum_0_13;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_14_choice := 0;
+      else
+        slice3window_sum_0_14_choice := slice3window_sum_0_14;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_15_choice := 0;
+      else
+        slice3window_sum_0_15_choice := slice3window_sum_0_15;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_16_choice := 0;
+      else
+        slice3window_sum_0_16_choice := slice3window_sum_0_16;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_17_choice := 0;
+      else
+        slice3window_sum_0_17_choice := slice3window_sum_0_17;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_18_choice := 0;
+      else
+        slice3window_sum_0_18_choice := slice3window_sum_0_18;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_19_choice := 0;
+      else
+        slice3window_sum_0_19_choice := slice3window_sum_0_19;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_20_choice := 0;
+      else
+        slice3window_sum_0_20_choice := slice3window_sum_0_20;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_21_choice := 0;
+      else
+        slice3window_sum_0_21_choice := slice3window_sum_0_21;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_22_choice := 0;
+      else
+        slice3window_sum_0_22_choice := slice3window_sum_0_22;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_23_choice := 0;
+      else
+        slice3window_sum_0_23_choice := slice3window_sum_0_23;
+      end if;
+      if slice2window_centre_first_column_0 then
+        slice3window_sum_0_24_choice := 0;
+      else
+        slice3window_sum_0_24_choice := slice3window_sum_0_24;
+      end if;
       if slice0winner2_tag_valid then
         slice3window_sum_0_0 <= (slice3window_sum_0_0_choice + slice3window_change_0_0) mod 16384;
         slice3window_sum_0_1 <= (slice3window_sum_0_1_choice + slice3window_change_0_1) mod 16384;
@@ -7040,43 +9704,90 @@ begin
       slice3winner1_best_cost_0_9_is_less := (slice3window_sum_0_19 - slice3window_sum_0_18) < 0;
       slice3winner1_best_cost_0_10_is_less := (slice3window_sum_0_21 - slice3window_sum_0_20) < 0;
       slice3winner1_best_cost_0_11_is_less := (slice3window_sum_0_23 - slice3window_sum_0_22) < 0;
-      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when slice3winner1_best_cost_0_0_is_less else
-        slice3window_sum_0_0;
-      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when slice3winner1_best_cost_0_1_is_less else
-        slice3window_sum_0_2;
-      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when slice3winner1_best_cost_0_2_is_less else
-        slice3window_sum_0_4;
-      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when slice3winner1_best_cost_0_3_is_less else
-        slice3window_sum_0_6;
-      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when slice3winner1_best_cost_0_4_is_less else
-        slice3window_sum_0_8;
-      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when slice3winner1_best_cost_0_5_is_less else
-        slice3window_sum_0_10;
-      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when slice3winner1_best_cost_0_6_is_less else
-        slice3window_sum_0_12;
-      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when slice3winner1_best_cost_0_7_is_less else
-        slice3window_sum_0_14;
-      slice3winner1_best_cost_0_8 <= slice3window_sum_0_17 when slice3winner1_best_cost_0_8_is_less else
-        slice3window_sum_0_16;
-      slice3winner1_best_cost_0_9 <= slice3window_sum_0_19 when slice3winner1_best_cost_0_9_is_less else
-        slice3window_sum_0_18;
-      slice3winner1_best_cost_0_10 <= slice3window_sum_0_21 when slice3winner1_best_cost_0_10_is_less else
-        slice3window_sum_0_20;
-      slice3winner1_best_cost_0_11 <= slice3window_sum_0_23 when slice3winner1_best_cost_0_11_is_less else
-        slice3window_sum_0_22;
       slice3winner1_best_cost_0_12 <= slice3window_sum_0_24;
       slice3winner1_best_index_0_0 <= slice3winner1_best_cost_0_0_is_less;
-      slice3winner1_best_index_0_1 <= 3 when slice3winner1_best_cost_0_1_is_less else 2;
-      slice3winner1_best_index_0_2 <= 5 when slice3winner1_best_cost_0_2_is_less else 4;
-      slice3winner1_best_index_0_3 <= 7 when slice3winner1_best_cost_0_3_is_less else 6;
-      slice3winner1_best_index_0_4 <= 9 when slice3winner1_best_cost_0_4_is_less else 8;
-      slice3winner1_best_index_0_5 <= 11 when slice3winner1_best_cost_0_5_is_less else 10;
-      slice3winner1_best_index_0_6 <= 13 when slice3winner1_best_cost_0_6_is_less else 12;
-      slice3winner1_best_index_0_7 <= 15 when slice3winner1_best_cost_0_7_is_less else 14;
-      slice3winner1_best_index_0_8 <= 17 when slice3winner1_best_cost_0_8_is_less else 16;
-      slice3winner1_best_index_0_9 <= 19 when slice3winner1_best_cost_0_9_is_less else 18;
-      slice3winner1_best_index_0_10 <= 21 when slice3winner1_best_cost_0_10_is_less else 20;
-      slice3winner1_best_index_0_11 <= 23 when slice3winner1_best_cost_0_11_is_less else 22;
+      if slice3winner1_best_cost_0_0_is_less then
+        slice3winner1_best_cost_0_0 <= slice3window_sum_0_1;
+      else
+        slice3winner1_best_cost_0_0 <= slice3window_sum_0_0;
+      end if;
+      if slice3winner1_best_cost_0_1_is_less then
+        slice3winner1_best_cost_0_1 <= slice3window_sum_0_3;
+        slice3winner1_best_index_0_1 <= 3;
+      else
+        slice3winner1_best_cost_0_1 <= slice3window_sum_0_2;
+        slice3winner1_best_index_0_1 <= 2;
+      end if;
+      if slice3winner1_best_cost_0_2_is_less then
+        slice3winner1_best_cost_0_2 <= slice3window_sum_0_5;
+        slice3winner1_best_index_0_2 <= 5;
+      else
+        slice3winner1_best_cost_0_2 <= slice3window_sum_0_4;
+        slice3winner1_best_index_0_2 <= 4;
+      end if;
+      if slice3winner1_best_cost_0_3_is_less then
+        slice3winner1_best_cost_0_3 <= slice3window_sum_0_7;
+        slice3winner1_best_index_0_3 <= 7;
+      else
+        slice3winner1_best_cost_0_3 <= slice3window_sum_0_6;
+        slice3winner1_best_index_0_3 <= 6;
+      end if;
+      if slice3winner1_best_cost_0_4_is_less then
+        slice3winner1_best_cost_0_4 <= slice3window_sum_0_9;
+        slice3winner1_best_index_0_4 <= 9;
+      else
+        slice3winner1_best_cost_0_4 <= slice3window_sum_0_8;
+        slice3winner1_best_index_0_4 <= 8;
+      end if;
+      if slice3winner1_best_cost_0_5_is_less then
+        slice3winner1_best_cost_0_5 <= slice3window_sum_0_11;
+        slice3winner1_best_index_0_5 <= 11;
+      else
+        slice3winner1_best_cost_0_5 <= slice3window_sum_0_10;
+        slice3winner1_best_index_0_5 <= 10;
+      end if;
+      if slice3winner1_best_cost_0_6_is_less then
+        slice3winner1_best_cost_0_6 <= slice3window_sum_0_13;
+        slice3winner1_best_index_0_6 <= 13;
+      else
+        slice3winner1_best_cost_0_6 <= slice3window_sum_0_12;
+        slice3winner1_best_index_0_6 <= 12;
+      end if;
+      if slice3winner1_best_cost_0_7_is_less then
+        slice3winner1_best_cost_0_7 <= slice3window_sum_0_15;
+        slice3winner1_best_index_0_7 <= 15;
+      else
+        slice3winner1_best_cost_0_7 <= slice3window_sum_0_14;
+        slice3winner1_best_index_0_7 <= 14;
+      end if;
+      if slice3winner1_best_cost_0_8_is_less then
+        slice3winner1_best_cost_0_8 <= slice3window_sum_0_17;
+        slice3winner1_best_index_0_8 <= 17;
+      else
+        slice3winner1_best_cost_0_8 <= slice3window_sum_0_16;
+        slice3winner1_best_index_0_8 <= 16;
+      end if;
+      if slice3winner1_best_cost_0_9_is_less then
+        slice3winner1_best_cost_0_9 <= slice3window_sum_0_19;
+        slice3winner1_best_index_0_9 <= 19;
+      else
+        slice3winner1_best_cost_0_9 <= slice3window_sum_0_18;
+        slice3winner1_best_index_0_9 <= 18;
+      end if;
+      if slice3winner1_best_cost_0_10_is_less then
+        slice3winner1_best_cost_0_10 <= slice3window_sum_0_21;
+        slice3winner1_best_index_0_10 <= 21;
+      else
+        slice3winner1_best_cost_0_10 <= slice3window_sum_0_20;
+        slice3winner1_best_index_0_10 <= 20;
+      end if;
+      if slice3winner1_best_cost_0_11_is_less then
+        slice3winner1_best_cost_0_11 <= slice3window_sum_0_23;
+        slice3winner1_best_index_0_11 <= 23;
+      else
+        slice3winner1_best_cost_0_11 <= slice3window_sum_0_22;
+        slice3winner1_best_index_0_11 <= 22;
+      end if;
       -- slice3winner2
       slice3winner2_best_cost_0_0_is_less := (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0;
       slice3winner2_best_cost_0_1_is_less := (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0;
@@ -7084,74 +9795,114 @@ begin
       slice3winner2_best_cost_0_3_is_less := (slice3winner1_best_cost_0_7 - slice3winner1_best_cost_0_6) < 0;
       slice3winner2_best_cost_0_4_is_less := (slice3winner1_best_cost_0_9 - slice3winner1_best_cost_0_8) < 0;
       slice3winner2_best_cost_0_5_is_less := (slice3winner1_best_cost_0_11 - slice3winner1_best_cost_0_10) < 0;
-      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when slice3winner2_best_cost_0_0_is_less else
-        slice3winner1_best_cost_0_0;
-      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when slice3winner2_best_cost_0_1_is_less else
-        slice3winner1_best_cost_0_2;
-      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when slice3winner2_best_cost_0_2_is_less else
-        slice3winner1_best_cost_0_4;
-      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when slice3winner2_best_cost_0_3_is_less else
-        slice3winner1_best_cost_0_6;
-      slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_9 when slice3winner2_best_cost_0_4_is_less else
-        slice3winner1_best_cost_0_8;
-      slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_11 when slice3winner2_best_cost_0_5_is_less else
-        slice3winner1_best_cost_0_10;
       slice3winner2_best_cost_0_6 <= slice3winner1_best_cost_0_12;
-      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_cost_0_0_is_less else
-        as_number(slice3winner1_best_index_0_0);
-      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_cost_0_1_is_less else
-        slice3winner1_best_index_0_2;
-      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_cost_0_2_is_less else
-        slice3winner1_best_index_0_4;
-      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7 when slice3winner2_best_cost_0_3_is_less else
-        slice3winner1_best_index_0_6;
-      slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9 when slice3winner2_best_cost_0_4_is_less else
-        slice3winner1_best_index_0_8;
-      slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11 when slice3winner2_best_cost_0_5_is_less else
-        slice3winner1_best_index_0_10;
+      if slice3winner2_best_cost_0_0_is_less then
+        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1;
+        slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1;
+      else
+        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_0;
+        slice3winner2_best_index_0_0 <= as_number(slice3winner1_best_index_0_0);
+      end if;
+      if slice3winner2_best_cost_0_1_is_less then
+        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3;
+        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3;
+      else
+        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_2;
+        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_2;
+      end if;
+      if slice3winner2_best_cost_0_2_is_less then
+        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5;
+        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5;
+      else
+        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_4;
+        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_4;
+      end if;
+      if slice3winner2_best_cost_0_3_is_less then
+        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7;
+        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7;
+      else
+        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_6;
+        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_6;
+      end if;
+      if slice3winner2_best_cost_0_4_is_less then
+        slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_9;
+        slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_9;
+      else
+        slice3winner2_best_cost_0_4 <= slice3winner1_best_cost_0_8;
+        slice3winner2_best_index_0_4 <= slice3winner1_best_index_0_8;
+      end if;
+      if slice3winner2_best_cost_0_5_is_less then
+        slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_11;
+        slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_11;
+      else
+        slice3winner2_best_cost_0_5 <= slice3winner1_best_cost_0_10;
+        slice3winner2_best_index_0_5 <= slice3winner1_best_index_0_10;
+      end if;
       -- slice3winner3
       slice3winner3_best_cost_0_0_is_less := (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0;
       slice3winner3_best_cost_0_1_is_less := (slice3winner2_best_cost_0_3 - slice3winner2_best_cost_0_2) < 0;
       slice3winner3_best_cost_0_2_is_less := (slice3winner2_best_cost_0_5 - slice3winner2_best_cost_0_4) < 0;
-      slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when slice3winner3_best_cost_0_0_is_less else
-        slice3winner2_best_cost_0_0;
-      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when slice3winner3_best_cost_0_1_is_less else
-        slice3winner2_best_cost_0_2;
-      slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_5 when slice3winner3_best_cost_0_2_is_less else
-        slice3winner2_best_cost_0_4;
       slice3winner3_best_cost_0_3 <= slice3winner2_best_cost_0_6;
-      slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_cost_0_0_is_less else
-        slice3winner2_best_index_0_0;
-      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3 when slice3winner3_best_cost_0_1_is_less else
-        slice3winner2_best_index_0_2;
-      slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5 when slice3winner3_best_cost_0_2_is_less else
-        slice3winner2_best_index_0_4;
+      if slice3winner3_best_cost_0_0_is_less then
+        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1;
+        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1;
+      else
+        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_0;
+        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_0;
+      end if;
+      if slice3winner3_best_cost_0_1_is_less then
+        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3;
+        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3;
+      else
+        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_2;
+        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_2;
+      end if;
+      if slice3winner3_best_cost_0_2_is_less then
+        slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_5;
+        slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_5;
+      else
+        slice3winner3_best_cost_0_2 <= slice3winner2_best_cost_0_4;
+        slice3winner3_best_index_0_2 <= slice3winner2_best_index_0_4;
+      end if;
       -- slice3winner4
       slice3winner4_best_cost_0_0_is_less := (slice3winner3_best_cost_0_1 - slice3winner3_best_cost_0_0) < 0;
       slice3winner4_best_cost_0_1_is_less := (slice3winner3_best_cost_0_3 - slice3winner3_best_cost_0_2) < 0;
-      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when slice3winner4_best_cost_0_0_is_less else
-        slice3winner3_best_cost_0_0;
-      slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_3 when slice3winner4_best_cost_0_1_is_less else
-        slice3winner3_best_cost_0_2;
-      slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1 when slice3winner4_best_cost_0_0_is_less else
-        slice3winner3_best_index_0_0;
-      slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice3winner4_best_cost_0_1_is_less else
-        slice3winner3_best_index_0_2;
+      if slice3winner4_best_cost_0_0_is_less then
+        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1;
+        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1;
+      else
+        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_0;
+        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_0;
+      end if;
+      if slice3winner4_best_cost_0_1_is_less then
+        slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_3;
+        slice3winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice3winner4_best_cost_0_1 <= slice3winner3_best_cost_0_2;
+        slice3winner4_best_index_0_1 <= slice3winner3_best_index_0_2;
+      end if;
       -- slice3winner5
       slice3winner5_best_cost_0_0_is_less := (slice3winner4_best_cost_0_1 - slice3winner4_best_cost_0_0) < 0;
-      slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_1 when slice3winner5_best_cost_0_0_is_less else
-        slice3winner4_best_cost_0_0;
-      slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1 when slice3winner5_best_cost_0_0_is_less else
-        slice3winner4_best_index_0_0;
+      if slice3winner5_best_cost_0_0_is_less then
+        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_1;
+        slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_1;
+      else
+        slice3winner5_best_cost_0_0 <= slice3winner4_best_cost_0_0;
+        slice3winner5_best_index_0_0 <= slice3winner4_best_index_0_0;
+      end if;
       -- slice3
       slice3_best_cost_0_0_is_less := (slice2_best_cost_0_0 - slice3winner5_best_cost_0_0) < 0;
-      slice3_best_cost_0_0 <= slice2_best_cost_0_0 when slice3_best_cost_0_0_is_less else slice3winner5_best_cost_0_0;
-      slice3_best_index_0_0 <= slice2_best_index_0_0 when slice3_best_cost_0_0_is_less else
-        (((slice3winner5_best_index_0_0 / 4) + 25) * 4) + (slice3winner5_best_index_0_0 mod 4);
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
       slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
+      if slice3_best_cost_0_0_is_less then
+        slice3_best_cost_0_0 <= slice2_best_cost_0_0;
+        slice3_best_index_0_0 <= slice2_best_index_0_0;
+      else
+        slice3_best_cost_0_0 <= slice3winner5_best_cost_0_0;
+        slice3_best_index_0_0 <= (((slice3winner5_best_index_0_0 / 4) + 25) * 4) + (slice3winner5_best_index_0_0 mod 4);
+      end if;
       -- slice4shift
       if slice0cost_ready_tag_valid then
         slice4shift_search_0_0 <= slice4shift_search_0_1;
@@ -7210,88 +9961,256 @@ begin
       slice4shift_search_out_0 <= slice4shift_search_0_0;
       slice4shift_search_out_1 <= slice4shift_search_1_0;
       -- slice4cost
-      slice4cost_column_0_0_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_0 mod 2048;
-      slice4cost_column_0_0_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_0 +
-        slice4cost_column_0_0_choice) mod 2048;
-      slice4cost_column_0_1_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_0 / 2048;
-      slice4cost_column_0_1_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_1 +
-        slice4cost_column_0_1_choice) mod 2048;
-      slice4cost_column_0_2_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_1 mod 2048;
-      slice4cost_column_0_2_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_2 +
-        slice4cost_column_0_2_choice) mod 2048;
-      slice4cost_column_0_3_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_1 / 2048;
-      slice4cost_column_0_3_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_3 +
-        slice4cost_column_0_3_choice) mod 2048;
-      slice4cost_column_0_4_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_2 mod 2048;
-      slice4cost_column_0_4_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_4 +
-        slice4cost_column_0_4_choice) mod 2048;
-      slice4cost_column_0_5_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_2 / 2048;
-      slice4cost_column_0_5_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_5 +
-        slice4cost_column_0_5_choice) mod 2048;
-      slice4cost_column_0_6_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_3 mod 2048;
-      slice4cost_column_0_6_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_6 +
-        slice4cost_column_0_6_choice) mod 2048;
-      slice4cost_column_0_7_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_3 / 2048;
-      slice4cost_column_0_7_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_7 +
-        slice4cost_column_0_7_choice) mod 2048;
-      slice4cost_column_0_8_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_4 mod 2048;
-      slice4cost_column_0_8_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_8 +
-        slice4cost_column_0_8_choice) mod 2048;
-      slice4cost_column_0_9_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_4 / 2048;
-      slice4cost_column_0_9_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_9 +
-        slice4cost_column_0_9_choice) mod 2048;
-      slice4cost_column_0_10_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_5 mod
-        2048;
-      slice4cost_column_0_10_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_10 +
-        slice4cost_column_0_10_choice) mod 2048;
-      slice4cost_column_0_11_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_5 / 2048;
-      slice4cost_column_0_11_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_11 +
-        slice4cost_column_0_11_choice) mod 2048;
-      slice4cost_column_0_12_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_6 mod
-        2048;
-      slice4cost_column_0_12_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_12 +
-        slice4cost_column_0_12_choice) mod 2048;
-      slice4cost_column_0_13_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_6 / 2048;
-      slice4cost_column_0_13_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_13 +
-        slice4cost_column_0_13_choice) mod 2048;
-      slice4cost_column_0_14_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_7 mod
-        2048;
-      slice4cost_column_0_14_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_14 +
-        slice4cost_column_0_14_choice) mod 2048;
-      slice4cost_column_0_15_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_7 / 2048;
-      slice4cost_column_0_15_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_15 +
-        slice4cost_column_0_15_choice) mod 2048;
-      slice4cost_column_0_16_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_8 mod
-        2048;
-      slice4cost_column_0_16_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_16 +
-        slice4cost_column_0_16_choice) mod 2048;
-      slice4cost_column_0_17_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_8 / 2048;
-      slice4cost_column_0_17_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_17 +
-        slice4cost_column_0_17_choice) mod 2048;
-      slice4cost_column_0_18_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_9 mod
-        2048;
-      slice4cost_column_0_18_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_18 +
-        slice4cost_column_0_18_choice) mod 2048;
-      slice4cost_column_0_19_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_9 / 2048;
-      slice4cost_column_0_19_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_19 +
-        slice4cost_column_0_19_choice) mod 2048;
-      slice4cost_column_0_20_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_10 mod
-        2048;
-      slice4cost_column_0_20_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_20 +
-        slice4cost_column_0_20_choice) mod 2048;
-      slice4cost_column_0_21_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_10 / 2048;
-      slice4cost_column_0_21_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_21 +
-        slice4cost_column_0_21_choice) mod 2048;
-      slice4cost_column_0_22_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_11 mod
-        2048;
-      slice4cost_column_0_22_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_22 +
-        slice4cost_column_0_22_choice) mod 2048;
-      slice4cost_column_0_23_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_11 / 2048;
-      slice4cost_column_0_23_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_23 +
-        slice4cost_column_0_23_choice) mod 2048;
-      slice4cost_column_0_24_choice := 0 when slice1window_change_tag_first_group else slice4cost_ready_words_12;
-      slice4cost_column_0_24_choice_2 := 0 when slice1window_change_tag_border_column else (slice4cost_change_0_24 +
-        slice4cost_column_0_24_choice) mod 2048;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_0_choice := 0;
+      else
+        slice4cost_column_0_0_choice := slice4cost_ready_words_0 mod 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_0_choice_2 := 0;
+      else
+        slice4cost_column_0_0_choice_2 := (slice4cost_change_0_0 + slice4cost_column_0_0_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_1_choice := 0;
+      else
+        slice4cost_column_0_1_choice := slice4cost_ready_words_0 / 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_1_choice_2 := 0;
+      else
+        slice4cost_column_0_1_choice_2 := (slice4cost_change_0_1 + slice4cost_column_0_1_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_2_choice := 0;
+      else
+        slice4cost_column_0_2_choice := slice4cost_ready_words_1 mod 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_2_choice_2 := 0;
+      else
+        slice4cost_column_0_2_choice_2 := (slice4cost_change_0_2 + slice4cost_column_0_2_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_3_choice := 0;
+      else
+        slice4cost_column_0_3_choice := slice4cost_ready_words_1 / 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_3_choice_2 := 0;
+      else
+        slice4cost_column_0_3_choice_2 := (slice4cost_change_0_3 + slice4cost_column_0_3_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_4_choice := 0;
+      else
+        slice4cost_column_0_4_choice := slice4cost_ready_words_2 mod 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_4_choice_2 := 0;
+      else
+        slice4cost_column_0_4_choice_2 := (slice4cost_change_0_4 + slice4cost_column_0_4_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_5_choice := 0;
+      else
+        slice4cost_column_0_5_choice := slice4cost_ready_words_2 / 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_5_choice_2 := 0;
+      else
+        slice4cost_column_0_5_choice_2 := (slice4cost_change_0_5 + slice4cost_column_0_5_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_6_choice := 0;
+      else
+        slice4cost_column_0_6_choice := slice4cost_ready_words_3 mod 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_6_choice_2 := 0;
+      else
+        slice4cost_column_0_6_choice_2 := (slice4cost_change_0_6 + slice4cost_column_0_6_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_7_choice := 0;
+      else
+        slice4cost_column_0_7_choice := slice4cost_ready_words_3 / 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_7_choice_2 := 0;
+      else
+        slice4cost_column_0_7_choice_2 := (slice4cost_change_0_7 + slice4cost_column_0_7_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_8_choice := 0;
+      else
+        slice4cost_column_0_8_choice := slice4cost_ready_words_4 mod 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_8_choice_2 := 0;
+      else
+        slice4cost_column_0_8_choice_2 := (slice4cost_change_0_8 + slice4cost_column_0_8_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_9_choice := 0;
+      else
+        slice4cost_column_0_9_choice := slice4cost_ready_words_4 / 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_9_choice_2 := 0;
+      else
+        slice4cost_column_0_9_choice_2 := (slice4cost_change_0_9 + slice4cost_column_0_9_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_10_choice := 0;
+      else
+        slice4cost_column_0_10_choice := slice4cost_ready_words_5 mod 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_10_choice_2 := 0;
+      else
+        slice4cost_column_0_10_choice_2 := (slice4cost_change_0_10 + slice4cost_column_0_10_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_11_choice := 0;
+      else
+        slice4cost_column_0_11_choice := slice4cost_ready_words_5 / 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_11_choice_2 := 0;
+      else
+        slice4cost_column_0_11_choice_2 := (slice4cost_change_0_11 + slice4cost_column_0_11_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_12_choice := 0;
+      else
+        slice4cost_column_0_12_choice := slice4cost_ready_words_6 mod 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_12_choice_2 := 0;
+      else
+        slice4cost_column_0_12_choice_2 := (slice4cost_change_0_12 + slice4cost_column_0_12_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_13_choice := 0;
+      else
+        slice4cost_column_0_13_choice := slice4cost_ready_words_6 / 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_13_choice_2 := 0;
+      else
+        slice4cost_column_0_13_choice_2 := (slice4cost_change_0_13 + slice4cost_column_0_13_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_14_choice := 0;
+      else
+        slice4cost_column_0_14_choice := slice4cost_ready_words_7 mod 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_14_choice_2 := 0;
+      else
+        slice4cost_column_0_14_choice_2 := (slice4cost_change_0_14 + slice4cost_column_0_14_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_15_choice := 0;
+      else
+        slice4cost_column_0_15_choice := slice4cost_ready_words_7 / 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_15_choice_2 := 0;
+      else
+        slice4cost_column_0_15_choice_2 := (slice4cost_change_0_15 + slice4cost_column_0_15_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_16_choice := 0;
+      else
+        slice4cost_column_0_16_choice := slice4cost_ready_words_8 mod 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_16_choice_2 := 0;
+      else
+        slice4cost_column_0_16_choice_2 := (slice4cost_change_0_16 + slice4cost_column_0_16_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_17_choice := 0;
+      else
+        slice4cost_column_0_17_choice := slice4cost_ready_words_8 / 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_17_choice_2 := 0;
+      else
+        slice4cost_column_0_17_choice_2 := (slice4cost_change_0_17 + slice4cost_column_0_17_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_18_choice := 0;
+      else
+        slice4cost_column_0_18_choice := slice4cost_ready_words_9 mod 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_18_choice_2 := 0;
+      else
+        slice4cost_column_0_18_choice_2 := (slice4cost_change_0_18 + slice4cost_column_0_18_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_19_choice := 0;
+      else
+        slice4cost_column_0_19_choice := slice4cost_ready_words_9 / 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_19_choice_2 := 0;
+      else
+        slice4cost_column_0_19_choice_2 := (slice4cost_change_0_19 + slice4cost_column_0_19_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_20_choice := 0;
+      else
+        slice4cost_column_0_20_choice := slice4cost_ready_words_10 mod 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_20_choice_2 := 0;
+      else
+        slice4cost_column_0_20_choice_2 := (slice4cost_change_0_20 + slice4cost_column_0_20_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_21_choice := 0;
+      else
+        slice4cost_column_0_21_choice := slice4cost_ready_words_10 / 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_21_choice_2 := 0;
+      else
+        slice4cost_column_0_21_choice_2 := (slice4cost_change_0_21 + slice4cost_column_0_21_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_22_choice := 0;
+      else
+        slice4cost_column_0_22_choice := slice4cost_ready_words_11 mod 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_22_choice_2 := 0;
+      else
+        slice4cost_column_0_22_choice_2 := (slice4cost_change_0_22 + slice4cost_column_0_22_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_23_choice := 0;
+      else
+        slice4cost_column_0_23_choice := slice4cost_ready_words_11 / 2048;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_23_choice_2 := 0;
+      else
+        slice4cost_column_0_23_choice_2 := (slice4cost_change_0_23 + slice4cost_column_0_23_choice) mod 2048;
+      end if;
+      if slice1window_change_tag_first_group then
+        slice4cost_column_0_24_choice := 0;
+      else
+        slice4cost_column_0_24_choice := slice4cost_ready_words_12;
+      end if;
+      if slice1window_change_tag_border_column then
+        slice4cost_column_0_24_choice_2 := 0;
+      else
+        slice4cost_column_0_24_choice_2 := (slice4cost_change_0_24 + slice4cost_column_0_24_choice) mod 2048;
+      end if;
       slice4cost_pixels_first_0_0 <= slice4shift_search_0_0 - slice4shift_reference_0;
       slice4cost_pixels_first_0_1 <= slice4shift_search_0_1 - slice4shift_reference_0;
       slice4cost_pixels_first_0_2 <= slice4shift_search_0_2 - slice4shift_reference_0;
@@ -7528,9 +10447,12 @@ begin
       end if;
       -- slice4window
       if slice0winner1_tag_valid then
-        slice4window_ring_read_address <= 0 when slice4window_ring_read_address = 7 else
-          (slice4window_ring_read_address + 1) mod 8;
         slice4window_ring_write_address <= slice4window_ring_read_address;
+        if slice4window_ring_read_address = 7 then
+          slice4window_ring_read_address <= 0;
+        else
+          slice4window_ring_read_address <= (slice4window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice3window_change_tag_leaves_window then
         slice4window_change_0_0_choice := to_integer(slice4window_leaving_0(10 downto 0));
@@ -7713,31 +10635,131 @@ begin
       slice4window_centre_output_column_1 <= slice3window_centre_output_column_1;
       slice4window_centre_first_column_0 <= slice3window_centre_first_column_0;
       slice4window_centre_end_of_line_0 <= slice3window_centre_end_of_line_0;
-      slice4window_sum_0_0_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_0;
-      slice4window_sum_0_1_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_1;
-      slice4window_sum_0_2_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_2;
-      slice4window_sum_0_3_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_3;
-      slice4window_sum_0_4_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_4;
-      slice4window_sum_0_5_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_5;
-      slice4window_sum_0_6_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_6;
-      slice4window_sum_0_7_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_7;
-      slice4window_sum_0_8_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_8;
-      slice4window_sum_0_9_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_9;
-      slice4window_sum_0_10_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_10;
-      slice4window_sum_0_11_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_11;
-      slice4window_sum_0_12_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_12;
-      slice4window_sum_0_13_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_13;
-      slice4window_sum_0_14_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_14;
-      slice4window_sum_0_15_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_15;
-      slice4window_sum_0_16_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_16;
-      slice4window_sum_0_17_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_17;
-      slice4window_sum_0_18_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_18;
-      slice4window_sum_0_19_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_19;
-      slice4window_sum_0_20_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_20;
-      slice4window_sum_0_21_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_21;
-      slice4window_sum_0_22_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_22;
-      slice4window_sum_0_23_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_23;
-      slice4window_sum_0_24_choice := 0 when slice3window_centre_first_column_0 else slice4window_sum_0_24;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_0_choice := 0;
+      else
+        slice4window_sum_0_0_choice := slice4window_sum_0_0;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_1_choice := 0;
+      else
+        slice4window_sum_0_1_choice := slice4window_sum_0_1;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_2_choice := 0;
+      else
+        slice4window_sum_0_2_choice := slice4window_sum_0_2;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_3_choice := 0;
+      else
+        slice4window_sum_0_3_choice := slice4window_sum_0_3;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_4_choice := 0;
+      else
+        slice4window_sum_0_4_choice := slice4window_sum_0_4;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_5_choice := 0;
+      else
+        slice4window_sum_0_5_choice := slice4window_sum_0_5;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_6_choice := 0;
+      else
+        slice4window_sum_0_6_choice := slice4window_sum_0_6;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_7_choice := 0;
+      else
+        slice4window_sum_0_7_choice := slice4window_sum_0_7;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_8_choice := 0;
+      else
+        slice4window_sum_0_8_choice := slice4window_sum_0_8;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_9_choice := 0;
+      else
+        slice4window_sum_0_9_choice := slice4window_sum_0_9;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_10_choice := 0;
+      else
+        slice4window_sum_0_10_choice := slice4window_sum_0_10;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_11_choice := 0;
+      else
+        slice4window_sum_0_11_choice := slice4window_sum_0_11;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_12_choice := 0;
+      else
+        slice4window_sum_0_12_choice := slice4window_sum_0_12;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_13_choice := 0;
+      else
+        slice4window_sum_0_13_choice := slice4window_sum_0_13;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_14_choice := 0;
+      else
+        slice4window_sum_0_14_choice := slice4window_sum_0_14;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_15_choice := 0;
+      else
+        slice4window_sum_0_15_choice := slice4window_sum_0_15;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_16_choice := 0;
+      else
+        slice4window_sum_0_16_choice := slice4window_sum_0_16;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_17_choice := 0;
+      else
+        slice4window_sum_0_17_choice := slice4window_sum_0_17;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_18_choice := 0;
+      else
+        slice4window_sum_0_18_choice := slice4window_sum_0_18;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_19_choice := 0;
+      else
+        slice4window_sum_0_19_choice := slice4window_sum_0_19;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_20_choice := 0;
+      else
+        slice4window_sum_0_20_choice := slice4window_sum_0_20;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_21_choice := 0;
+      else
+        slice4window_sum_0_21_choice := slice4window_sum_0_21;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_22_choice := 0;
+      else
+        slice4window_sum_0_22_choice := slice4window_sum_0_22;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_23_choice := 0;
+      else
+        slice4window_sum_0_23_choice := slice4window_sum_0_23;
+      end if;
+      if slice3window_centre_first_column_0 then
+        slice4window_sum_0_24_choice := 0;
+      else
+        slice4window_sum_0_24_choice := slice4window_sum_0_24;
+      end if;
       if slice0winner3_tag_valid then
         slice4window_sum_0_0 <= (slice4window_sum_0_0_choice + slice4window_change_0_0) mod 16384;
         slice4window_sum_0_1 <= (slice4window_sum_0_1_choice + slice4window_change_0_1) mod 16384;
@@ -7778,43 +10800,90 @@ begin
       slice4winner1_best_cost_0_9_is_less := (slice4window_sum_0_19 - slice4window_sum_0_18) < 0;
       slice4winner1_best_cost_0_10_is_less := (slice4window_sum_0_21 - slice4window_sum_0_20) < 0;
       slice4winner1_best_cost_0_11_is_less := (slice4window_sum_0_23 - slice4window_sum_0_22) < 0;
-      slice4winner1_best_cost_0_0 <= slice4window_sum_0_1 when slice4winner1_best_cost_0_0_is_less else
-        slice4window_sum_0_0;
-      slice4winner1_best_cost_0_1 <= slice4window_sum_0_3 when slice4winner1_best_cost_0_1_is_less else
-        slice4window_sum_0_2;
-      slice4winner1_best_cost_0_2 <= slice4window_sum_0_5 when slice4winner1_best_cost_0_2_is_less else
-        slice4window_sum_0_4;
-      slice4winner1_best_cost_0_3 <= slice4window_sum_0_7 when slice4winner1_best_cost_0_3_is_less else
-        slice4window_sum_0_6;
-      slice4winner1_best_cost_0_4 <= slice4window_sum_0_9 when slice4winner1_best_cost_0_4_is_less else
-        slice4window_sum_0_8;
-      slice4winner1_best_cost_0_5 <= slice4window_sum_0_11 when slice4winner1_best_cost_0_5_is_less else
-        slice4window_sum_0_10;
-      slice4winner1_best_cost_0_6 <= slice4window_sum_0_13 when slice4winner1_best_cost_0_6_is_less else
-        slice4window_sum_0_12;
-      slice4winner1_best_cost_0_7 <= slice4window_sum_0_15 when slice4winner1_best_cost_0_7_is_less else
-        slice4window_sum_0_14;
-      slice4winner1_best_cost_0_8 <= slice4window_sum_0_17 when slice4winner1_best_cost_0_8_is_less else
-        slice4window_sum_0_16;
-      slice4winner1_best_cost_0_9 <= slice4window_sum_0_19 when slice4winner1_best_cost_0_9_is_less else
-        slice4window_sum_0_18;
-      slice4winner1_best_cost_0_10 <= slice4window_sum_0_21 when slice4winner1_best_cost_0_10_is_less else
-        slice4window_sum_0_20;
-      slice4winner1_best_cost_0_11 <= slice4window_sum_0_23 when slice4winner1_best_cost_0_11_is_less else
-        slice4window_sum_0_22;
       slice4winner1_best_cost_0_12 <= slice4window_sum_0_24;
       slice4winner1_best_index_0_0 <= slice4winner1_best_cost_0_0_is_less;
-      slice4winner1_best_index_0_1 <= 3 when slice4winner1_best_cost_0_1_is_less else 2;
-      slice4winner1_best_index_0_2 <= 5 when slice4winner1_best_cost_0_2_is_less else 4;
-      slice4winner1_best_index_0_3 <= 7 when slice4winner1_best_cost_0_3_is_less else 6;
-      slice4winner1_best_index_0_4 <= 9 when slice4winner1_best_cost_0_4_is_less else 8;
-      slice4winner1_best_index_0_5 <= 11 when slice4winner1_best_cost_0_5_is_less else 10;
-      slice4winner1_best_index_0_6 <= 13 when slice4winner1_best_cost_0_6_is_less else 12;
-      slice4winner1_best_index_0_7 <= 15 when slice4winner1_best_cost_0_7_is_less else 14;
-      slice4winner1_best_index_0_8 <= 17 when slice4winner1_best_cost_0_8_is_less else 16;
-      slice4winner1_best_index_0_9 <= 19 when slice4winner1_best_cost_0_9_is_less else 18;
-      slice4winner1_best_index_0_10 <= 21 when slice4winner1_best_cost_0_10_is_less else 20;
-      slice4winner1_best_index_0_11 <= 23 when slice4winner1_best_cost_0_11_is_less else 22;
+      if slice4winner1_best_cost_0_0_is_less then
+        slice4winner1_best_cost_0_0 <= slice4window_sum_0_1;
+      else
+        slice4winner1_best_cost_0_0 <= slice4window_sum_0_0;
+      end if;
+      if slice4winner1_best_cost_0_1_is_less then
+        slice4winner1_best_cost_0_1 <= slice4window_sum_0_3;
+        slice4winner1_best_index_0_1 <= 3;
+      else
+        slice4winner1_best_cost_0_1 <= slice4window_sum_0_2;
+        slice4winner1_best_index_0_1 <= 2;
+      end if;
+      if slice4winner1_best_cost_0_2_is_less then
+        slice4winner1_best_cost_0_2 <= slice4window_sum_0_5;
+        slice4winner1_best_index_0_2 <= 5;
+      else
+        slice4winner1_best_cost_0_2 <= slice4window_sum_0_4;
+        slice4winner1_best_index_0_2 <= 4;
+      end if;
+      if slice4winner1_best_cost_0_3_is_less then
+        slice4winner1_best_cost_0_3 <= slice4window_sum_0_7;
+        slice4winner1_best_index_0_3 <= 7;
+      else
+        slice4winner1_best_cost_0_3 <= slice4window_sum_0_6;
+        slice4winner1_best_index_0_3 <= 6;
+      end if;
+      if slice4winner1_best_cost_0_4_is_less then
+        slice4winner1_best_cost_0_4 <= slice4window_sum_0_9;
+        slice4winner1_best_index_0_4 <= 9;
+      else
+        slice4winner1_best_cost_0_4 <= slice4window_sum_0_8;
+        slice4winner1_best_index_0_4 <= 8;
+      end if;
+      if slice4winner1_best_cost_0_5_is_less then
+        slice4winner1_best_cost_0_5 <= slice4window_sum_0_11;
+        slice4winner1_best_index_0_5 <= 11;
+      else
+        slice4winner1_best_cost_0_5 <= slice4window_sum_0_10;
+        slice4winner1_best_index_0_5 <= 10;
+      end if;
+      if slice4winner1_best_cost_0_6_is_less then
+        slice4winner1_best_cost_0_6 <= slice4window_sum_0_13;
+        slice4winner1_best_index_0_6 <= 13;
+      else
+        slice4winner1_best_cost_0_6 <= slice4window_sum_0_12;
+        slice4winner1_best_index_0_6 <= 12;
+      end if;
+      if slice4winner1_best_cost_0_7_is_less then
+        slice4winner1_best_cost_0_7 <= slice4window_sum_0_15;
+        slice4winner1_best_index_0_7 <= 15;
+      else
+        slice4winner1_best_cost_0_7 <= slice4window_sum_0_14;
+        slice4winner1_best_index_0_7 <= 14;
+      end if;
+      if slice4winner1_best_cost_0_8_is_less then
+        slice4winner1_best_cost_0_8 <= slice4window_sum_0_17;
+        slice4winner1_best_index_0_8 <= 17;
+      else
+        slice4winner1_best_cost_0_8 <= slice4window_sum_0_16;
+        slice4winner1_best_index_0_8 <= 16;
+      end if;
+      if slice4winner1_best_cost_0_9_is_less then
+        slice4winner1_best_cost_0_9 <= slice4window_sum_0_19;
+        slice4winner1_best_index_0_9 <= 19;
+      else
+        slice4winner1_best_cost_0_9 <= slice4window_sum_0_18;
+        slice4winner1_best_index_0_9 <= 18;
+      end if;
+      if slice4winner1_best_cost_0_10_is_less then
+        slice4winner1_best_cost_0_10 <= slice4window_sum_0_21;
+        slice4winner1_best_index_0_10 <= 21;
+      else
+        slice4winner1_best_cost_0_10 <= slice4window_sum_0_20;
+        slice4winner1_best_index_0_10 <= 20;
+      end if;
+      if slice4winner1_best_cost_0_11_is_less then
+        slice4winner1_best_cost_0_11 <= slice4window_sum_0_23;
+        slice4winner1_best_index_0_11 <= 23;
+      else
+        slice4winner1_best_cost_0_11 <= slice4window_sum_0_22;
+        slice4winner1_best_index_0_11 <= 22;
+      end if;
       -- slice4winner2
       slice4winner2_best_cost_0_0_is_less := (slice4winner1_best_cost_0_1 - slice4winner1_best_cost_0_0) < 0;
       slice4winner2_best_cost_0_1_is_less := (slice4winner1_best_cost_0_3 - slice4winner1_best_cost_0_2) < 0;
@@ -7822,74 +10891,114 @@ begin
       slice4winner2_best_cost_0_3_is_less := (slice4winner1_best_cost_0_7 - slice4winner1_best_cost_0_6) < 0;
       slice4winner2_best_cost_0_4_is_less := (slice4winner1_best_cost_0_9 - slice4winner1_best_cost_0_8) < 0;
       slice4winner2_best_cost_0_5_is_less := (slice4winner1_best_cost_0_11 - slice4winner1_best_cost_0_10) < 0;
-      slice4winner2_best_cost_0_0 <= slice4winner1_best_cost_0_1 when slice4winner2_best_cost_0_0_is_less else
-        slice4winner1_best_cost_0_0;
-      slice4winner2_best_cost_0_1 <= slice4winner1_best_cost_0_3 when slice4winner2_best_cost_0_1_is_less else
-        slice4winner1_best_cost_0_2;
-      slice4winner2_best_cost_0_2 <= slice4winner1_best_cost_0_5 when slice4winner2_best_cost_0_2_is_less else
-        slice4winner1_best_cost_0_4;
-      slice4winner2_best_cost_0_3 <= slice4winner1_best_cost_0_7 when slice4winner2_best_cost_0_3_is_less else
-        slice4winner1_best_cost_0_6;
-      slice4winner2_best_cost_0_4 <= slice4winner1_best_cost_0_9 when slice4winner2_best_cost_0_4_is_less else
-        slice4winner1_best_cost_0_8;
-      slice4winner2_best_cost_0_5 <= slice4winner1_best_cost_0_11 when slice4winner2_best_cost_0_5_is_less else
-        slice4winner1_best_cost_0_10;
       slice4winner2_best_cost_0_6 <= slice4winner1_best_cost_0_12;
-      slice4winner2_best_index_0_0 <= slice4winner1_best_index_0_1 when slice4winner2_best_cost_0_0_is_less else
-        as_number(slice4winner1_best_index_0_0);
-      slice4winner2_best_index_0_1 <= slice4winner1_best_index_0_3 when slice4winner2_best_cost_0_1_is_less else
-        slice4winner1_best_index_0_2;
-      slice4winner2_best_index_0_2 <= slice4winner1_best_index_0_5 when slice4winner2_best_cost_0_2_is_less else
-        slice4winner1_best_index_0_4;
-      slice4winner2_best_index_0_3 <= slice4winner1_best_index_0_7 when slice4winner2_best_cost_0_3_is_less else
-        slice4winner1_best_index_0_6;
-      slice4winner2_best_index_0_4 <= slice4winner1_best_index_0_9 when slice4winner2_best_cost_0_4_is_less else
-        slice4winner1_best_index_0_8;
-      slice4winner2_best_index_0_5 <= slice4winner1_best_index_0_11 when slice4winner2_best_cost_0_5_is_less else
-        slice4winner1_best_index_0_10;
+      if slice4winner2_best_cost_0_0_is_less then
+        slice4winner2_best_cost_0_0 <= slice4winner1_best_cost_0_1;
+        slice4winner2_best_index_0_0 <= slice4winner1_best_index_0_1;
+      else
+        slice4winner2_best_cost_0_0 <= slice4winner1_best_cost_0_0;
+        slice4winner2_best_index_0_0 <= as_number(slice4winner1_best_index_0_0);
+      end if;
+      if slice4winner2_best_cost_0_1_is_less then
+        slice4winner2_best_cost_0_1 <= slice4winner1_best_cost_0_3;
+        slice4winner2_best_index_0_1 <= slice4winner1_best_index_0_3;
+      else
+        slice4winner2_best_cost_0_1 <= slice4winner1_best_cost_0_2;
+        slice4winner2_best_index_0_1 <= slice4winner1_best_index_0_2;
+      end if;
+      if slice4winner2_best_cost_0_2_is_less then
+        slice4winner2_best_cost_0_2 <= slice4winner1_best_cost_0_5;
+        slice4winner2_best_index_0_2 <= slice4winner1_best_index_0_5;
+      else
+        slice4winner2_best_cost_0_2 <= slice4winner1_best_cost_0_4;
+        slice4winner2_best_index_0_2 <= slice4winner1_best_index_0_4;
+      end if;
+      if slice4winner2_best_cost_0_3_is_less then
+        slice4winner2_best_cost_0_3 <= slice4winner1_best_cost_0_7;
+        slice4winner2_best_index_0_3 <= slice4winner1_best_index_0_7;
+      else
+        slice4winner2_best_cost_0_3 <= slice4winner1_best_cost_0_6;
+        slice4winner2_best_index_0_3 <= slice4winner1_best_index_0_6;
+      end if;
+      if slice4winner2_best_cost_0_4_is_less then
+        slice4winner2_best_cost_0_4 <= slice4winner1_best_cost_0_9;
+        slice4winner2_best_index_0_4 <= slice4winner1_best_index_0_9;
+      else
+        slice4winner2_best_cost_0_4 <= slice4winner1_best_cost_0_8;
+        slice4winner2_best_index_0_4 <= slice4winner1_best_index_0_8;
+      end if;
+      if slice4winner2_best_cost_0_5_is_less then
+        slice4winner2_best_cost_0_5 <= slice4winner1_best_cost_0_11;
+        slice4winner2_best_index_0_5 <= slice4winner1_best_index_0_11;
+      else
+        slice4winner2_best_cost_0_5 <= slice4winner1_best_cost_0_10;
+        slice4winner2_best_index_0_5 <= slice4winner1_best_index_0_10;
+      end if;
       -- slice4winner3
       slice4winner3_best_cost_0_0_is_less := (slice4winner2_best_cost_0_1 - slice4winner2_best_cost_0_0) < 0;
       slice4winner3_best_cost_0_1_is_less := (slice4winner2_best_cost_0_3 - slice4winner2_best_cost_0_2) < 0;
       slice4winner3_best_cost_0_2_is_less := (slice4winner2_best_cost_0_5 - slice4winner2_best_cost_0_4) < 0;
-      slice4winner3_best_cost_0_0 <= slice4winner2_best_cost_0_1 when slice4winner3_best_cost_0_0_is_less else
-        slice4winner2_best_cost_0_0;
-      slice4winner3_best_cost_0_1 <= slice4winner2_best_cost_0_3 when slice4winner3_best_cost_0_1_is_less else
-        slice4winner2_best_cost_0_2;
-      slice4winner3_best_cost_0_2 <= slice4winner2_best_cost_0_5 when slice4winner3_best_cost_0_2_is_less else
-        slice4winner2_best_cost_0_4;
       slice4winner3_best_cost_0_3 <= slice4winner2_best_cost_0_6;
-      slice4winner3_best_index_0_0 <= slice4winner2_best_index_0_1 when slice4winner3_best_cost_0_0_is_less else
-        slice4winner2_best_index_0_0;
-      slice4winner3_best_index_0_1 <= slice4winner2_best_index_0_3 when slice4winner3_best_cost_0_1_is_less else
-        slice4winner2_best_index_0_2;
-      slice4winner3_best_index_0_2 <= slice4winner2_best_index_0_5 when slice4winner3_best_cost_0_2_is_less else
-        slice4winner2_best_index_0_4;
+      if slice4winner3_best_cost_0_0_is_less then
+        slice4winner3_best_cost_0_0 <= slice4winner2_best_cost_0_1;
+        slice4winner3_best_index_0_0 <= slice4winner2_best_index_0_1;
+      else
+        slice4winner3_best_cost_0_0 <= slice4winner2_best_cost_0_0;
+        slice4winner3_best_index_0_0 <= slice4winner2_best_index_0_0;
+      end if;
+      if slice4winner3_best_cost_0_1_is_less then
+        slice4winner3_best_cost_0_1 <= slice4winner2_best_cost_0_3;
+        slice4winner3_best_index_0_1 <= slice4winner2_best_index_0_3;
+      else
+        slice4winner3_best_cost_0_1 <= slice4winner2_best_cost_0_2;
+        slice4winner3_best_index_0_1 <= slice4winner2_best_index_0_2;
+      end if;
+      if slice4winner3_best_cost_0_2_is_less then
+        slice4winner3_best_cost_0_2 <= slice4winner2_best_cost_0_5;
+        slice4winner3_best_index_0_2 <= slice4winner2_best_index_0_5;
+      else
+        slice4winner3_best_cost_0_2 <= slice4winner2_best_cost_0_4;
+        slice4winner3_best_index_0_2 <= slice4winner2_best_index_0_4;
+      end if;
       -- slice4winner4
       slice4winner4_best_cost_0_0_is_less := (slice4winner3_best_cost_0_1 - slice4winner3_best_cost_0_0) < 0;
       slice4winner4_best_cost_0_1_is_less := (slice4winner3_best_cost_0_3 - slice4winner3_best_cost_0_2) < 0;
-      slice4winner4_best_cost_0_0 <= slice4winner3_best_cost_0_1 when slice4winner4_best_cost_0_0_is_less else
-        slice4winner3_best_cost_0_0;
-      slice4winner4_best_cost_0_1 <= slice4winner3_best_cost_0_3 when slice4winner4_best_cost_0_1_is_less else
-        slice4winner3_best_cost_0_2;
-      slice4winner4_best_index_0_0 <= slice4winner3_best_index_0_1 when slice4winner4_best_cost_0_0_is_less else
-        slice4winner3_best_index_0_0;
-      slice4winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice4winner4_best_cost_0_1_is_less else
-        slice4winner3_best_index_0_2;
+      if slice4winner4_best_cost_0_0_is_less then
+        slice4winner4_best_cost_0_0 <= slice4winner3_best_cost_0_1;
+        slice4winner4_best_index_0_0 <= slice4winner3_best_index_0_1;
+      else
+        slice4winner4_best_cost_0_0 <= slice4winner3_best_cost_0_0;
+        slice4winner4_best_index_0_0 <= slice4winner3_best_index_0_0;
+      end if;
+      if slice4winner4_best_cost_0_1_is_less then
+        slice4winner4_best_cost_0_1 <= slice4winner3_best_cost_0_3;
+        slice4winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice4winner4_best_cost_0_1 <= slice4winner3_best_cost_0_2;
+        slice4winner4_best_index_0_1 <= slice4winner3_best_index_0_2;
+      end if;
       -- slice4winner5
       slice4winner5_best_cost_0_0_is_less := (slice4winner4_best_cost_0_1 - slice4winner4_best_cost_0_0) < 0;
-      slice4winner5_best_cost_0_0 <= slice4winner4_best_cost_0_1 when slice4winner5_best_cost_0_0_is_less else
-        slice4winner4_best_cost_0_0;
-      slice4winner5_best_index_0_0 <= slice4winner4_best_index_0_1 when slice4winner5_best_cost_0_0_is_less else
-        slice4winner4_best_index_0_0;
+      if slice4winner5_best_cost_0_0_is_less then
+        slice4winner5_best_cost_0_0 <= slice4winner4_best_cost_0_1;
+        slice4winner5_best_index_0_0 <= slice4winner4_best_index_0_1;
+      else
+        slice4winner5_best_cost_0_0 <= slice4winner4_best_cost_0_0;
+        slice4winner5_best_index_0_0 <= slice4winner4_best_index_0_0;
+      end if;
       -- slice4
       slice4_best_cost_0_0_is_less := (slice3_best_cost_0_0 - slice4winner5_best_cost_0_0) < 0;
-      slice4_best_cost_0_0 <= slice3_best_cost_0_0 when slice4_best_cost_0_0_is_less else slice4winner5_best_cost_0_0;
-      slice4_best_index_0_0 <= slice3_best_index_0_0 when slice4_best_cost_0_0_is_less else
-        slice4winner5_best_index_0_0 + 75;
       slice4_best_tag_valid <= slice3_best_tag_valid;
       slice4_best_tag_output_column <= slice3_best_tag_output_column;
       slice4_best_tag_start_of_frame <= slice3_best_tag_start_of_frame;
       slice4_best_tag_end_of_line <= slice3_best_tag_end_of_line;
+      if slice4_best_cost_0_0_is_less then
+        slice4_best_cost_0_0 <= slice3_best_cost_0_0;
+        slice4_best_index_0_0 <= slice3_best_index_0_0;
+      else
+        slice4_best_cost_0_0 <= slice4winner5_best_cost_0_0;
+        slice4_best_index_0_0 <= slice4winner5_best_index_0_0 + 75;
+      end if;
       -- slice5shift
       if slice0cost_tag_valid then
         slice5shift_search_0_0 <= slice5shift_search_0_1;
@@ -7948,88 +11057,256 @@ begin
       slice5shift_search_out_0 <= slice5shift_search_0_0;
       slice5shift_search_out_1 <= slice5shift_search_1_0;
       -- slice5cost
-      slice5cost_column_0_0_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_0 mod 2048;
-      slice5cost_column_0_0_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_0 +
-        slice5cost_column_0_0_choice) mod 2048;
-      slice5cost_column_0_1_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_0 / 2048;
-      slice5cost_column_0_1_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_1 +
-        slice5cost_column_0_1_choice) mod 2048;
-      slice5cost_column_0_2_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_1 mod 2048;
-      slice5cost_column_0_2_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_2 +
-        slice5cost_column_0_2_choice) mod 2048;
-      slice5cost_column_0_3_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_1 / 2048;
-      slice5cost_column_0_3_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_3 +
-        slice5cost_column_0_3_choice) mod 2048;
-      slice5cost_column_0_4_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_2 mod 2048;
-      slice5cost_column_0_4_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_4 +
-        slice5cost_column_0_4_choice) mod 2048;
-      slice5cost_column_0_5_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_2 / 2048;
-      slice5cost_column_0_5_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_5 +
-        slice5cost_column_0_5_choice) mod 2048;
-      slice5cost_column_0_6_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_3 mod 2048;
-      slice5cost_column_0_6_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_6 +
-        slice5cost_column_0_6_choice) mod 2048;
-      slice5cost_column_0_7_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_3 / 2048;
-      slice5cost_column_0_7_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_7 +
-        slice5cost_column_0_7_choice) mod 2048;
-      slice5cost_column_0_8_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_4 mod 2048;
-      slice5cost_column_0_8_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_8 +
-        slice5cost_column_0_8_choice) mod 2048;
-      slice5cost_column_0_9_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_4 / 2048;
-      slice5cost_column_0_9_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_9 +
-        slice5cost_column_0_9_choice) mod 2048;
-      slice5cost_column_0_10_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_5 mod
-        2048;
-      slice5cost_column_0_10_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_10 +
-        slice5cost_column_0_10_choice) mod 2048;
-      slice5cost_column_0_11_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_5 / 2048;
-      slice5cost_column_0_11_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_11 +
-        slice5cost_column_0_11_choice) mod 2048;
-      slice5cost_column_0_12_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_6 mod
-        2048;
-      slice5cost_column_0_12_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_12 +
-        slice5cost_column_0_12_choice) mod 2048;
-      slice5cost_column_0_13_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_6 / 2048;
-      slice5cost_column_0_13_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_13 +
-        slice5cost_column_0_13_choice) mod 2048;
-      slice5cost_column_0_14_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_7 mod
-        2048;
-      slice5cost_column_0_14_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_14 +
-        slice5cost_column_0_14_choice) mod 2048;
-      slice5cost_column_0_15_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_7 / 2048;
-      slice5cost_column_0_15_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_15 +
-        slice5cost_column_0_15_choice) mod 2048;
-      slice5cost_column_0_16_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_8 mod
-        2048;
-      slice5cost_column_0_16_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_16 +
-        slice5cost_column_0_16_choice) mod 2048;
-      slice5cost_column_0_17_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_8 / 2048;
-      slice5cost_column_0_17_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_17 +
-        slice5cost_column_0_17_choice) mod 2048;
-      slice5cost_column_0_18_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_9 mod
-        2048;
-      slice5cost_column_0_18_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_18 +
-        slice5cost_column_0_18_choice) mod 2048;
-      slice5cost_column_0_19_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_9 / 2048;
-      slice5cost_column_0_19_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_19 +
-        slice5cost_column_0_19_choice) mod 2048;
-      slice5cost_column_0_20_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_10 mod
-        2048;
-      slice5cost_column_0_20_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_20 +
-        slice5cost_column_0_20_choice) mod 2048;
-      slice5cost_column_0_21_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_10 / 2048;
-      slice5cost_column_0_21_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_21 +
-        slice5cost_column_0_21_choice) mod 2048;
-      slice5cost_column_0_22_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_11 mod
-        2048;
-      slice5cost_column_0_22_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_22 +
-        slice5cost_column_0_22_choice) mod 2048;
-      slice5cost_column_0_23_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_11 / 2048;
-      slice5cost_column_0_23_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_23 +
-        slice5cost_column_0_23_choice) mod 2048;
-      slice5cost_column_0_24_choice := 0 when slice2window_change_tag_first_group else slice5cost_ready_words_12;
-      slice5cost_column_0_24_choice_2 := 0 when slice2window_change_tag_border_column else (slice5cost_change_0_24 +
-        slice5cost_column_0_24_choice) mod 2048;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_0_choice := 0;
+      else
+        slice5cost_column_0_0_choice := slice5cost_ready_words_0 mod 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_0_choice_2 := 0;
+      else
+        slice5cost_column_0_0_choice_2 := (slice5cost_change_0_0 + slice5cost_column_0_0_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_1_choice := 0;
+      else
+        slice5cost_column_0_1_choice := slice5cost_ready_words_0 / 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_1_choice_2 := 0;
+      else
+        slice5cost_column_0_1_choice_2 := (slice5cost_change_0_1 + slice5cost_column_0_1_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_2_choice := 0;
+      else
+        slice5cost_column_0_2_choice := slice5cost_ready_words_1 mod 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_2_choice_2 := 0;
+      else
+        slice5cost_column_0_2_choice_2 := (slice5cost_change_0_2 + slice5cost_column_0_2_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_3_choice := 0;
+      else
+        slice5cost_column_0_3_choice := slice5cost_ready_words_1 / 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_3_choice_2 := 0;
+      else
+        slice5cost_column_0_3_choice_2 := (slice5cost_change_0_3 + slice5cost_column_0_3_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_4_choice := 0;
+      else
+        slice5cost_column_0_4_choice := slice5cost_ready_words_2 mod 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_4_choice_2 := 0;
+      else
+        slice5cost_column_0_4_choice_2 := (slice5cost_change_0_4 + slice5cost_column_0_4_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_5_choice := 0;
+      else
+        slice5cost_column_0_5_choice := slice5cost_ready_words_2 / 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_5_choice_2 := 0;
+      else
+        slice5cost_column_0_5_choice_2 := (slice5cost_change_0_5 + slice5cost_column_0_5_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_6_choice := 0;
+      else
+        slice5cost_column_0_6_choice := slice5cost_ready_words_3 mod 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_6_choice_2 := 0;
+      else
+        slice5cost_column_0_6_choice_2 := (slice5cost_change_0_6 + slice5cost_column_0_6_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_7_choice := 0;
+      else
+        slice5cost_column_0_7_choice := slice5cost_ready_words_3 / 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_7_choice_2 := 0;
+      else
+        slice5cost_column_0_7_choice_2 := (slice5cost_change_0_7 + slice5cost_column_0_7_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_8_choice := 0;
+      else
+        slice5cost_column_0_8_choice := slice5cost_ready_words_4 mod 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_8_choice_2 := 0;
+      else
+        slice5cost_column_0_8_choice_2 := (slice5cost_change_0_8 + slice5cost_column_0_8_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_9_choice := 0;
+      else
+        slice5cost_column_0_9_choice := slice5cost_ready_words_4 / 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_9_choice_2 := 0;
+      else
+        slice5cost_column_0_9_choice_2 := (slice5cost_change_0_9 + slice5cost_column_0_9_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_10_choice := 0;
+      else
+        slice5cost_column_0_10_choice := slice5cost_ready_words_5 mod 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_10_choice_2 := 0;
+      else
+        slice5cost_column_0_10_choice_2 := (slice5cost_change_0_10 + slice5cost_column_0_10_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_11_choice := 0;
+      else
+        slice5cost_column_0_11_choice := slice5cost_ready_words_5 / 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_11_choice_2 := 0;
+      else
+        slice5cost_column_0_11_choice_2 := (slice5cost_change_0_11 + slice5cost_column_0_11_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_12_choice := 0;
+      else
+        slice5cost_column_0_12_choice := slice5cost_ready_words_6 mod 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_12_choice_2 := 0;
+      else
+        slice5cost_column_0_12_choice_2 := (slice5cost_change_0_12 + slice5cost_column_0_12_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_13_choice := 0;
+      else
+        slice5cost_column_0_13_choice := slice5cost_ready_words_6 / 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_13_choice_2 := 0;
+      else
+        slice5cost_column_0_13_choice_2 := (slice5cost_change_0_13 + slice5cost_column_0_13_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_14_choice := 0;
+      else
+        slice5cost_column_0_14_choice := slice5cost_ready_words_7 mod 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_14_choice_2 := 0;
+      else
+        slice5cost_column_0_14_choice_2 := (slice5cost_change_0_14 + slice5cost_column_0_14_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_15_choice := 0;
+      else
+        slice5cost_column_0_15_choice := slice5cost_ready_words_7 / 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_15_choice_2 := 0;
+      else
+        slice5cost_column_0_15_choice_2 := (slice5cost_change_0_15 + slice5cost_column_0_15_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_16_choice := 0;
+      else
+        slice5cost_column_0_16_choice := slice5cost_ready_words_8 mod 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_16_choice_2 := 0;
+      else
+        slice5cost_column_0_16_choice_2 := (slice5cost_change_0_16 + slice5cost_column_0_16_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_17_choice := 0;
+      else
+        slice5cost_column_0_17_choice := slice5cost_ready_words_8 / 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_17_choice_2 := 0;
+      else
+        slice5cost_column_0_17_choice_2 := (slice5cost_change_0_17 + slice5cost_column_0_17_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_18_choice := 0;
+      else
+        slice5cost_column_0_18_choice := slice5cost_ready_words_9 mod 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_18_choice_2 := 0;
+      else
+        slice5cost_column_0_18_choice_2 := (slice5cost_change_0_18 + slice5cost_column_0_18_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_19_choice := 0;
+      else
+        slice5cost_column_0_19_choice := slice5cost_ready_words_9 / 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_19_choice_2 := 0;
+      else
+        slice5cost_column_0_19_choice_2 := (slice5cost_change_0_19 + slice5cost_column_0_19_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_20_choice := 0;
+      else
+        slice5cost_column_0_20_choice := slice5cost_ready_words_10 mod 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_20_choice_2 := 0;
+      else
+        slice5cost_column_0_20_choice_2 := (slice5cost_change_0_20 + slice5cost_column_0_20_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_21_choice := 0;
+      else
+        slice5cost_column_0_21_choice := slice5cost_ready_words_10 / 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_21_choice_2 := 0;
+      else
+        slice5cost_column_0_21_choice_2 := (slice5cost_change_0_21 + slice5cost_column_0_21_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_22_choice := 0;
+      else
+        slice5cost_column_0_22_choice := slice5cost_ready_words_11 mod 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_22_choice_2 := 0;
+      else
+        slice5cost_column_0_22_choice_2 := (slice5cost_change_0_22 + slice5cost_column_0_22_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_23_choice := 0;
+      else
+        slice5cost_column_0_23_choice := slice5cost_ready_words_11 / 2048;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_23_choice_2 := 0;
+      else
+        slice5cost_column_0_23_choice_2 := (slice5cost_change_0_23 + slice5cost_column_0_23_choice) mod 2048;
+      end if;
+      if slice2window_change_tag_first_group then
+        slice5cost_column_0_24_choice := 0;
+      else
+        slice5cost_column_0_24_choice := slice5cost_ready_words_12;
+      end if;
+      if slice2window_change_tag_border_column then
+        slice5cost_column_0_24_choice_2 := 0;
+      else
+        slice5cost_column_0_24_choice_2 := (slice5cost_change_0_24 + slice5cost_column_0_24_choice) mod 2048;
+      end if;
       slice5cost_pixels_first_0_0 <= slice5shift_search_0_0 - slice5shift_reference_0;
       slice5cost_pixels_first_0_1 <= slice5shift_search_0_1 - slice5shift_reference_0;
       slice5cost_pixels_first_0_2 <= slice5shift_search_0_2 - slice5shift_reference_0;
@@ -8270,9 +11547,12 @@ begin
       end if;
       -- slice5window
       if slice0winner2_tag_valid then
-        slice5window_ring_read_address <= 0 when slice5window_ring_read_address = 7 else
-          (slice5window_ring_read_address + 1) mod 8;
         slice5window_ring_write_address <= slice5window_ring_read_address;
+        if slice5window_ring_read_address = 7 then
+          slice5window_ring_read_address <= 0;
+        else
+          slice5window_ring_read_address <= (slice5window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice4window_change_tag_leaves_window then
         slice5window_change_0_0_choice := to_integer(slice5window_leaving_0(10 downto 0));
@@ -8453,31 +11733,131 @@ begin
       slice5window_centre_output_column_1 <= slice4window_centre_output_column_1;
       slice5window_centre_first_column_0 <= slice4window_centre_first_column_0;
       slice5window_centre_end_of_line_0 <= slice4window_centre_end_of_line_0;
-      slice5window_sum_0_0_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_0;
-      slice5window_sum_0_1_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_1;
-      slice5window_sum_0_2_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_2;
-      slice5window_sum_0_3_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_3;
-      slice5window_sum_0_4_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_4;
-      slice5window_sum_0_5_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_5;
-      slice5window_sum_0_6_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_6;
-      slice5window_sum_0_7_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_7;
-      slice5window_sum_0_8_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_8;
-      slice5window_sum_0_9_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_9;
-      slice5window_sum_0_10_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_10;
-      slice5window_sum_0_11_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_11;
-      slice5window_sum_0_12_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_12;
-      slice5window_sum_0_13_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_13;
-      slice5window_sum_0_14_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_14;
-      slice5window_sum_0_15_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_15;
-      slice5window_sum_0_16_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_16;
-      slice5window_sum_0_17_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_17;
-      slice5window_sum_0_18_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_18;
-      slice5window_sum_0_19_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_19;
-      slice5window_sum_0_20_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_20;
-      slice5window_sum_0_21_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_21;
-      slice5window_sum_0_22_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_22;
-      slice5window_sum_0_23_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_23;
-      slice5window_sum_0_24_choice := 0 when slice4window_centre_first_column_0 else slice5window_sum_0_24;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_0_choice := 0;
+      else
+        slice5window_sum_0_0_choice := slice5window_sum_0_0;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_1_choice := 0;
+      else
+        slice5window_sum_0_1_choice := slice5window_sum_0_1;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_2_choice := 0;
+      else
+        slice5window_sum_0_2_choice := slice5window_sum_0_2;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_3_choice := 0;
+      else
+        slice5window_sum_0_3_choice := slice5window_sum_0_3;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_4_choice := 0;
+      else
+        slice5window_sum_0_4_choice := slice5window_sum_0_4;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_5_choice := 0;
+      else
+        slice5window_sum_0_5_choice := slice5window_sum_0_5;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_6_choice := 0;
+      else
+        slice5window_sum_0_6_choice := slice5window_sum_0_6;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_7_choice := 0;
+      else
+        slice5window_sum_0_7_choice := slice5window_sum_0_7;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_8_choice := 0;
+      else
+        slice5window_sum_0_8_choice := slice5window_sum_0_8;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_9_choice := 0;
+      else
+        slice5window_sum_0_9_choice := slice5window_sum_0_9;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_10_choice := 0;
+      else
+        slice5window_sum_0_10_choice := slice5window_sum_0_10;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_11_choice := 0;
+      else
+        slice5window_sum_0_11_choice := slice5window_sum_0_11;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_12_choice := 0;
+      else
+        slice5window_sum_0_12_choice := slice5window_sum_0_12;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_13_choice := 0;
+      else
+        slice5window_sum_0_13_choice := slice5window_sum_0_13;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_14_choice := 0;
+      else
+        slice5window_sum_0_14_choice := slice5window_sum_0_14;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_15_choice := 0;
+      else
+        slice5window_sum_0_15_choice := slice5window_sum_0_15;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_16_choice := 0;
+      else
+        slice5window_sum_0_16_choice := slice5window_sum_0_16;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_17_choice := 0;
+      else
+        slice5window_sum_0_17_choice := slice5window_sum_0_17;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_18_choice := 0;
+      else
+        slice5window_sum_0_18_choice := slice5window_sum_0_18;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_19_choice := 0;
+      else
+        slice5window_sum_0_19_choice := slice5window_sum_0_19;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_20_choice := 0;
+      else
+        slice5window_sum_0_20_choice := slice5window_sum_0_20;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_21_choice := 0;
+      else
+        slice5window_sum_0_21_choice := slice5window_sum_0_21;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_22_choice := 0;
+      else
+        slice5window_sum_0_22_choice := slice5window_sum_0_22;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_23_choice := 0;
+      else
+        slice5window_sum_0_23_choice := slice5window_sum_0_23;
+      end if;
+      if slice4window_centre_first_column_0 then
+        slice5window_sum_0_24_choice := 0;
+      else
+        slice5window_sum_0_24_choice := slice5window_sum_0_24;
+      end if;
       if slice0winner4_tag_valid then
         slice5window_sum_0_0 <= (slice5window_sum_0_0_choice + slice5window_change_0_0) mod 16384;
         slice5window_sum_0_1 <= (slice5window_sum_0_1_choice + slice5window_change_0_1) mod 16384;
@@ -8518,43 +11898,90 @@ begin
       slice5winner1_best_cost_0_9_is_less := (slice5window_sum_0_19 - slice5window_sum_0_18) < 0;
       slice5winner1_best_cost_0_10_is_less := (slice5window_sum_0_21 - slice5window_sum_0_20) < 0;
       slice5winner1_best_cost_0_11_is_less := (slice5window_sum_0_23 - slice5window_sum_0_22) < 0;
-      slice5winner1_best_cost_0_0 <= slice5window_sum_0_1 when slice5winner1_best_cost_0_0_is_less else
-        slice5window_sum_0_0;
-      slice5winner1_best_cost_0_1 <= slice5window_sum_0_3 when slice5winner1_best_cost_0_1_is_less else
-        slice5window_sum_0_2;
-      slice5winner1_best_cost_0_2 <= slice5window_sum_0_5 when slice5winner1_best_cost_0_2_is_less else
-        slice5window_sum_0_4;
-      slice5winner1_best_cost_0_3 <= slice5window_sum_0_7 when slice5winner1_best_cost_0_3_is_less else
-        slice5window_sum_0_6;
-      slice5winner1_best_cost_0_4 <= slice5window_sum_0_9 when slice5winner1_best_cost_0_4_is_less else
-        slice5window_sum_0_8;
-      slice5winner1_best_cost_0_5 <= slice5window_sum_0_11 when slice5winner1_best_cost_0_5_is_less else
-        slice5window_sum_0_10;
-      slice5winner1_best_cost_0_6 <= slice5window_sum_0_13 when slice5winner1_best_cost_0_6_is_less else
-        slice5window_sum_0_12;
-      slice5winner1_best_cost_0_7 <= slice5window_sum_0_15 when slice5winner1_best_cost_0_7_is_less else
-        slice5window_sum_0_14;
-      slice5winner1_best_cost_0_8 <= slice5window_sum_0_17 when slice5winner1_best_cost_0_8_is_less else
-        slice5window_sum_0_16;
-      slice5winner1_best_cost_0_9 <= slice5window_sum_0_19 when slice5winner1_best_cost_0_9_is_less else
-        slice5window_sum_0_18;
-      slice5winner1_best_cost_0_10 <= slice5window_sum_0_21 when slice5winner1_best_cost_0_10_is_less else
-        slice5window_sum_0_20;
-      slice5winner1_best_cost_0_11 <= slice5window_sum_0_23 when slice5winner1_best_cost_0_11_is_less else
-        slice5window_sum_0_22;
       slice5winner1_best_cost_0_12 <= slice5window_sum_0_24;
       slice5winner1_best_index_0_0 <= slice5winner1_best_cost_0_0_is_less;
-      slice5winner1_best_index_0_1 <= 3 when slice5winner1_best_cost_0_1_is_less else 2;
-      slice5winner1_best_index_0_2 <= 5 when slice5winner1_best_cost_0_2_is_less else 4;
-      slice5winner1_best_index_0_3 <= 7 when slice5winner1_best_cost_0_3_is_less else 6;
-      slice5winner1_best_index_0_4 <= 9 when slice5winner1_best_cost_0_4_is_less else 8;
-      slice5winner1_best_index_0_5 <= 11 when slice5winner1_best_cost_0_5_is_less else 10;
-      slice5winner1_best_index_0_6 <= 13 when slice5winner1_best_cost_0_6_is_less else 12;
-      slice5winner1_best_index_0_7 <= 15 when slice5winner1_best_cost_0_7_is_less else 14;
-      slice5winner1_best_index_0_8 <= 17 when slice5winner1_best_cost_0_8_is_less else 16;
-      slice5winner1_best_index_0_9 <= 19 when slice5winner1_best_cost_0_9_is_less else 18;
-      slice5winner1_best_index_0_10 <= 21 when slice5winner1_best_cost_0_10_is_less else 20;
-      slice5winner1_best_index_0_11 <= 23 when slice5winner1_best_cost_0_11_is_less else 22;
+      if slice5winner1_best_cost_0_0_is_less then
+        slice5winner1_best_cost_0_0 <= slice5window_sum_0_1;
+      else
+        slice5winner1_best_cost_0_0 <= slice5window_sum_0_0;
+      end if;
+      if slice5winner1_best_cost_0_1_is_less then
+        slice5winner1_best_cost_0_1 <= slice5window_sum_0_3;
+        slice5winner1_best_index_0_1 <= 3;
+      else
+        slice5winner1_best_cost_0_1 <= slice5window_sum_0_2;
+        slice5winner1_best_index_0_1 <= 2;
+      end if;
+      if slice5winner1_best_cost_0_2_is_less then
+        slice5winner1_best_cost_0_2 <= slice5window_sum_0_5;
+        slice5winner1_best_index_0_2 <= 5;
+      else
+        slice5winner1_best_cost_0_2 <= slice5window_sum_0_4;
+        slice5winner1_best_index_0_2 <= 4;
+      end if;
+      if slice5winner1_best_cost_0_3_is_less then
+        slice5winner1_best_cost_0_3 <= slice5window_sum_0_7;
+        slice5winner1_best_index_0_3 <= 7;
+      else
+        slice5winner1_best_cost_0_3 <= slice5window_sum_0_6;
+        slice5winner1_best_index_0_3 <= 6;
+      end if;
+      if slice5winner1_best_cost_0_4_is_less then
+        slice5winner1_best_cost_0_4 <= slice5window_sum_0_9;
+        slice5winner1_best_index_0_4 <= 9;
+      else
+        slice5winner1_best_cost_0_4 <= slice5window_sum_0_8;
+        slice5winner1_best_index_0_4 <= 8;
+      end if;
+      if slice5winner1_best_cost_0_5_is_less then
+        slice5winner1_best_cost_0_5 <= slice5window_sum_0_11;
+        slice5winner1_best_index_0_5 <= 11;
+      else
+        slice5winner1_best_cost_0_5 <= slice5window_sum_0_10;
+        slice5winner1_best_index_0_5 <= 10;
+      end if;
+      if slice5winner1_best_cost_0_6_is_less then
+        slice5winner1_best_cost_0_6 <= slice5window_sum_0_13;
+        slice5winner1_best_index_0_6 <= 13;
+      else
+        slice5winner1_best_cost_0_6 <= slice5window_sum_0_12;
+        slice5winner1_best_index_0_6 <= 12;
+      end if;
+      if slice5winner1_best_cost_0_7_is_less then
+        slice5winner1_best_cost_0_7 <= slice5window_sum_0_15;
+        slice5winner1_best_index_0_7 <= 15;
+      else
+        slice5winner1_best_cost_0_7 <= slice5window_sum_0_14;
+        slice5winner1_best_index_0_7 <= 14;
+      end if;
+      if slice5winner1_best_cost_0_8_is_less then
+        slice5winner1_best_cost_0_8 <= slice5window_sum_0_17;
+        slice5winner1_best_index_0_8 <= 17;
+      else
+        slice5winner1_best_cost_0_8 <= slice5window_sum_0_16;
+        slice5winner1_best_index_0_8 <= 16;
+      end if;
+      if slice5winner1_best_cost_0_9_is_less then
+        slice5winner1_best_cost_0_9 <= slice5window_sum_0_19;
+        slice5winner1_best_index_0_9 <= 19;
+      else
+        slice5winner1_best_cost_0_9 <= slice5window_sum_0_18;
+        slice5winner1_best_index_0_9 <= 18;
+      end if;
+      if slice5winner1_best_cost_0_10_is_less then
+        slice5winner1_best_cost_0_10 <= slice5window_sum_0_21;
+        slice5winner1_best_index_0_10 <= 21;
+      else
+        slice5winner1_best_cost_0_10 <= slice5window_sum_0_20;
+        slice5winner1_best_index_0_10 <= 20;
+      end if;
+      if slice5winner1_best_cost_0_11_is_less then
+        slice5winner1_best_cost_0_11 <= slice5window_sum_0_23;
+        slice5winner1_best_index_0_11 <= 23;
+      else
+        slice5winner1_best_cost_0_11 <= slice5window_sum_0_22;
+        slice5winner1_best_index_0_11 <= 22;
+      end if;
       -- slice5winner2
       slice5winner2_best_cost_0_0_is_less := (slice5winner1_best_cost_0_1 - slice5winner1_best_cost_0_0) < 0;
       slice5winner2_best_cost_0_1_is_less := (slice5winner1_best_cost_0_3 - slice5winner1_best_cost_0_2) < 0;
@@ -8562,74 +11989,114 @@ begin
       slice5winner2_best_cost_0_3_is_less := (slice5winner1_best_cost_0_7 - slice5winner1_best_cost_0_6) < 0;
       slice5winner2_best_cost_0_4_is_less := (slice5winner1_best_cost_0_9 - slice5winner1_best_cost_0_8) < 0;
       slice5winner2_best_cost_0_5_is_less := (slice5winner1_best_cost_0_11 - slice5winner1_best_cost_0_10) < 0;
-      slice5winner2_best_cost_0_0 <= slice5winner1_best_cost_0_1 when slice5winner2_best_cost_0_0_is_less else
-        slice5winner1_best_cost_0_0;
-      slice5winner2_best_cost_0_1 <= slice5winner1_best_cost_0_3 when slice5winner2_best_cost_0_1_is_less else
-        slice5winner1_best_cost_0_2;
-      slice5winner2_best_cost_0_2 <= slice5winner1_best_cost_0_5 when slice5winner2_best_cost_0_2_is_less else
-        slice5winner1_best_cost_0_4;
-      slice5winner2_best_cost_0_3 <= slice5winner1_best_cost_0_7 when slice5winner2_best_cost_0_3_is_less else
-        slice5winner1_best_cost_0_6;
-      slice5winner2_best_cost_0_4 <= slice5winner1_best_cost_0_9 when slice5winner2_best_cost_0_4_is_less else
-        slice5winner1_best_cost_0_8;
-      slice5winner2_best_cost_0_5 <= slice5winner1_best_cost_0_11 when slice5winner2_best_cost_0_5_is_less else
-        slice5winner1_best_cost_0_10;
       slice5winner2_best_cost_0_6 <= slice5winner1_best_cost_0_12;
-      slice5winner2_best_index_0_0 <= slice5winner1_best_index_0_1 when slice5winner2_best_cost_0_0_is_less else
-        as_number(slice5winner1_best_index_0_0);
-      slice5winner2_best_index_0_1 <= slice5winner1_best_index_0_3 when slice5winner2_best_cost_0_1_is_less else
-        slice5winner1_best_index_0_2;
-      slice5winner2_best_index_0_2 <= slice5winner1_best_index_0_5 when slice5winner2_best_cost_0_2_is_less else
-        slice5winner1_best_index_0_4;
-      slice5winner2_best_index_0_3 <= slice5winner1_best_index_0_7 when slice5winner2_best_cost_0_3_is_less else
-        slice5winner1_best_index_0_6;
-      slice5winner2_best_index_0_4 <= slice5winner1_best_index_0_9 when slice5winner2_best_cost_0_4_is_less else
-        slice5winner1_best_index_0_8;
-      slice5winner2_best_index_0_5 <= slice5winner1_best_index_0_11 when slice5winner2_best_cost_0_5_is_less else
-        slice5winner1_best_index_0_10;
+      if slice5winner2_best_cost_0_0_is_less then
+        slice5winner2_best_cost_0_0 <= slice5winner1_best_cost_0_1;
+        slice5winner2_best_index_0_0 <= slice5winner1_best_index_0_1;
+      else
+        slice5winner2_best_cost_0_0 <= slice5winner1_best_cost_0_0;
+        slice5winner2_best_index_0_0 <= as_number(slice5winner1_best_index_0_0);
+      end if;
+      if slice5winner2_best_cost_0_1_is_less then
+        slice5winner2_best_cost_0_1 <= slice5winner1_best_cost_0_3;
+        slice5winner2_best_index_0_1 <= slice5winner1_best_index_0_3;
+      else
+        slice5winner2_best_cost_0_1 <= slice5winner1_best_cost_0_2;
+        slice5winner2_best_index_0_1 <= slice5winner1_best_index_0_2;
+      end if;
+      if slice5winner2_best_cost_0_2_is_less then
+        slice5winner2_best_cost_0_2 <= slice5winner1_best_cost_0_5;
+        slice5winner2_best_index_0_2 <= slice5winner1_best_index_0_5;
+      else
+        slice5winner2_best_cost_0_2 <= slice5winner1_best_cost_0_4;
+        slice5winner2_best_index_0_2 <= slice5winner1_best_index_0_4;
+      end if;
+      if slice5winner2_best_cost_0_3_is_less then
+        slice5winner2_best_cost_0_3 <= slice5winner1_best_cost_0_7;
+        slice5winner2_best_index_0_3 <= slice5winner1_best_index_0_7;
+      else
+        slice5winner2_best_cost_0_3 <= slice5winner1_best_cost_0_6;
+        slice5winner2_best_index_0_3 <= slice5winner1_best_index_0_6;
+      end if;
+      if slice5winner2_best_cost_0_4_is_less then
+        slice5winner2_best_cost_0_4 <= slice5winner1_best_cost_0_9;
+        slice5winner2_best_index_0_4 <= slice5winner1_best_index_0_9;
+      else
+        slice5winner2_best_cost_0_4 <= slice5winner1_best_cost_0_8;
+        slice5winner2_best_index_0_4 <= slice5winner1_best_index_0_8;
+      end if;
+      if slice5winner2_best_cost_0_5_is_less then
+        slice5winner2_best_cost_0_5 <= slice5winner1_best_cost_0_11;
+        slice5winner2_best_index_0_5 <= slice5winner1_best_index_0_11;
+      else
+        slice5winner2_best_cost_0_5 <= slice5winner1_best_cost_0_10;
+        slice5winner2_best_index_0_5 <= slice5winner1_best_index_0_10;
+      end if;
       -- slice5winner3
       slice5winner3_best_cost_0_0_is_less := (slice5winner2_best_cost_0_1 - slice5winner2_best_cost_0_0) < 0;
       slice5winner3_best_cost_0_1_is_less := (slice5winner2_best_cost_0_3 - slice5winner2_best_cost_0_2) < 0;
       slice5winner3_best_cost_0_2_is_less := (slice5winner2_best_cost_0_5 - slice5winner2_best_cost_0_4) < 0;
-      slice5winner3_best_cost_0_0 <= slice5winner2_best_cost_0_1 when slice5winner3_best_cost_0_0_is_less else
-        slice5winner2_best_cost_0_0;
-      slice5winner3_best_cost_0_1 <= slice5winner2_best_cost_0_3 when slice5winner3_best_cost_0_1_is_less else
-        slice5winner2_best_cost_0_2;
-      slice5winner3_best_cost_0_2 <= slice5winner2_best_cost_0_5 when slice5winner3_best_cost_0_2_is_less else
-        slice5winner2_best_cost_0_4;
       slice5winner3_best_cost_0_3 <= slice5winner2_best_cost_0_6;
-      slice5winner3_best_index_0_0 <= slice5winner2_best_index_0_1 when slice5winner3_best_cost_0_0_is_less else
-        slice5winner2_best_index_0_0;
-      slice5winner3_best_index_0_1 <= slice5winner2_best_index_0_3 when slice5winner3_best_cost_0_1_is_less else
-        slice5winner2_best_index_0_2;
-      slice5winner3_best_index_0_2 <= slice5winner2_best_index_0_5 when slice5winner3_best_cost_0_2_is_less else
-        slice5winner2_best_index_0_4;
+      if slice5winner3_best_cost_0_0_is_less then
+        slice5winner3_best_cost_0_0 <= slice5winner2_best_cost_0_1;
+        slice5winner3_best_index_0_0 <= slice5winner2_best_index_0_1;
+      else
+        slice5winner3_best_cost_0_0 <= slice5winner2_best_cost_0_0;
+        slice5winner3_best_index_0_0 <= slice5winner2_best_index_0_0;
+      end if;
+      if slice5winner3_best_cost_0_1_is_less then
+        slice5winner3_best_cost_0_1 <= slice5winner2_best_cost_0_3;
+        slice5winner3_best_index_0_1 <= slice5winner2_best_index_0_3;
+      else
+        slice5winner3_best_cost_0_1 <= slice5winner2_best_cost_0_2;
+        slice5winner3_best_index_0_1 <= slice5winner2_best_index_0_2;
+      end if;
+      if slice5winner3_best_cost_0_2_is_less then
+        slice5winner3_best_cost_0_2 <= slice5winner2_best_cost_0_5;
+        slice5winner3_best_index_0_2 <= slice5winner2_best_index_0_5;
+      else
+        slice5winner3_best_cost_0_2 <= slice5winner2_best_cost_0_4;
+        slice5winner3_best_index_0_2 <= slice5winner2_best_index_0_4;
+      end if;
       -- slice5winner4
       slice5winner4_best_cost_0_0_is_less := (slice5winner3_best_cost_0_1 - slice5winner3_best_cost_0_0) < 0;
       slice5winner4_best_cost_0_1_is_less := (slice5winner3_best_cost_0_3 - slice5winner3_best_cost_0_2) < 0;
-      slice5winner4_best_cost_0_0 <= slice5winner3_best_cost_0_1 when slice5winner4_best_cost_0_0_is_less else
-        slice5winner3_best_cost_0_0;
-      slice5winner4_best_cost_0_1 <= slice5winner3_best_cost_0_3 when slice5winner4_best_cost_0_1_is_less else
-        slice5winner3_best_cost_0_2;
-      slice5winner4_best_index_0_0 <= slice5winner3_best_index_0_1 when slice5winner4_best_cost_0_0_is_less else
-        slice5winner3_best_index_0_0;
-      slice5winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice5winner4_best_cost_0_1_is_less else
-        slice5winner3_best_index_0_2;
+      if slice5winner4_best_cost_0_0_is_less then
+        slice5winner4_best_cost_0_0 <= slice5winner3_best_cost_0_1;
+        slice5winner4_best_index_0_0 <= slice5winner3_best_index_0_1;
+      else
+        slice5winner4_best_cost_0_0 <= slice5winner3_best_cost_0_0;
+        slice5winner4_best_index_0_0 <= slice5winner3_best_index_0_0;
+      end if;
+      if slice5winner4_best_cost_0_1_is_less then
+        slice5winner4_best_cost_0_1 <= slice5winner3_best_cost_0_3;
+        slice5winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice5winner4_best_cost_0_1 <= slice5winner3_best_cost_0_2;
+        slice5winner4_best_index_0_1 <= slice5winner3_best_index_0_2;
+      end if;
       -- slice5winner5
       slice5winner5_best_cost_0_0_is_less := (slice5winner4_best_cost_0_1 - slice5winner4_best_cost_0_0) < 0;
-      slice5winner5_best_cost_0_0 <= slice5winner4_best_cost_0_1 when slice5winner5_best_cost_0_0_is_less else
-        slice5winner4_best_cost_0_0;
-      slice5winner5_best_index_0_0 <= slice5winner4_best_index_0_1 when slice5winner5_best_cost_0_0_is_less else
-        slice5winner4_best_index_0_0;
+      if slice5winner5_best_cost_0_0_is_less then
+        slice5winner5_best_cost_0_0 <= slice5winner4_best_cost_0_1;
+        slice5winner5_best_index_0_0 <= slice5winner4_best_index_0_1;
+      else
+        slice5winner5_best_cost_0_0 <= slice5winner4_best_cost_0_0;
+        slice5winner5_best_index_0_0 <= slice5winner4_best_index_0_0;
+      end if;
       -- slice5
       slice5_best_cost_0_0_is_less := (slice4_best_cost_0_0 - slice5winner5_best_cost_0_0) < 0;
-      slice5_best_cost_0_0 <= slice4_best_cost_0_0 when slice5_best_cost_0_0_is_less else slice5winner5_best_cost_0_0;
-      slice5_best_index_0_0 <= slice4_best_index_0_0 when slice5_best_cost_0_0_is_less else
-        (((slice5winner5_best_index_0_0 / 2) + 25) * 2) + (slice5winner5_best_index_0_0 mod 2);
       slice5_best_tag_valid <= slice4_best_tag_valid;
       slice5_best_tag_output_column <= slice4_best_tag_output_column;
       slice5_best_tag_start_of_frame <= slice4_best_tag_start_of_frame;
       slice5_best_tag_end_of_line <= slice4_best_tag_end_of_line;
+      if slice5_best_cost_0_0_is_less then
+        slice5_best_cost_0_0 <= slice4_best_cost_0_0;
+        slice5_best_index_0_0 <= slice4_best_index_0_0;
+      else
+        slice5_best_cost_0_0 <= slice5winner5_best_cost_0_0;
+        slice5_best_index_0_0 <= (((slice5winner5_best_index_0_0 / 2) + 25) * 2) + (slice5winner5_best_index_0_0 mod 2);
+      end if;
       -- slice6shift
       if slice0window_entering_tag_valid then
         slice6shift_search_0_0 <= slice6shift_search_0_1;
@@ -8688,88 +12155,256 @@ begin
       slice6shift_search_out_0 <= slice6shift_search_0_0;
       slice6shift_search_out_1 <= slice6shift_search_1_0;
       -- slice6cost
-      slice6cost_column_0_0_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_0 mod 2048;
-      slice6cost_column_0_0_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_0 +
-        slice6cost_column_0_0_choice) mod 2048;
-      slice6cost_column_0_1_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_0 / 2048;
-      slice6cost_column_0_1_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_1 +
-        slice6cost_column_0_1_choice) mod 2048;
-      slice6cost_column_0_2_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_1 mod 2048;
-      slice6cost_column_0_2_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_2 +
-        slice6cost_column_0_2_choice) mod 2048;
-      slice6cost_column_0_3_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_1 / 2048;
-      slice6cost_column_0_3_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_3 +
-        slice6cost_column_0_3_choice) mod 2048;
-      slice6cost_column_0_4_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_2 mod 2048;
-      slice6cost_column_0_4_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_4 +
-        slice6cost_column_0_4_choice) mod 2048;
-      slice6cost_column_0_5_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_2 / 2048;
-      slice6cost_column_0_5_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_5 +
-        slice6cost_column_0_5_choice) mod 2048;
-      slice6cost_column_0_6_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_3 mod 2048;
-      slice6cost_column_0_6_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_6 +
-        slice6cost_column_0_6_choice) mod 2048;
-      slice6cost_column_0_7_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_3 / 2048;
-      slice6cost_column_0_7_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_7 +
-        slice6cost_column_0_7_choice) mod 2048;
-      slice6cost_column_0_8_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_4 mod 2048;
-      slice6cost_column_0_8_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_8 +
-        slice6cost_column_0_8_choice) mod 2048;
-      slice6cost_column_0_9_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_4 / 2048;
-      slice6cost_column_0_9_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_9 +
-        slice6cost_column_0_9_choice) mod 2048;
-      slice6cost_column_0_10_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_5 mod
-        2048;
-      slice6cost_column_0_10_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_10 +
-        slice6cost_column_0_10_choice) mod 2048;
-      slice6cost_column_0_11_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_5 / 2048;
-      slice6cost_column_0_11_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_11 +
-        slice6cost_column_0_11_choice) mod 2048;
-      slice6cost_column_0_12_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_6 mod
-        2048;
-      slice6cost_column_0_12_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_12 +
-        slice6cost_column_0_12_choice) mod 2048;
-      slice6cost_column_0_13_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_6 / 2048;
-      slice6cost_column_0_13_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_13 +
-        slice6cost_column_0_13_choice) mod 2048;
-      slice6cost_column_0_14_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_7 mod
-        2048;
-      slice6cost_column_0_14_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_14 +
-        slice6cost_column_0_14_choice) mod 2048;
-      slice6cost_column_0_15_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_7 / 2048;
-      slice6cost_column_0_15_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_15 +
-        slice6cost_column_0_15_choice) mod 2048;
-      slice6cost_column_0_16_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_8 mod
-        2048;
-      slice6cost_column_0_16_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_16 +
-        slice6cost_column_0_16_choice) mod 2048;
-      slice6cost_column_0_17_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_8 / 2048;
-      slice6cost_column_0_17_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_17 +
-        slice6cost_column_0_17_choice) mod 2048;
-      slice6cost_column_0_18_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_9 mod
-        2048;
-      slice6cost_column_0_18_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_18 +
-        slice6cost_column_0_18_choice) mod 2048;
-      slice6cost_column_0_19_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_9 / 2048;
-      slice6cost_column_0_19_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_19 +
-        slice6cost_column_0_19_choice) mod 2048;
-      slice6cost_column_0_20_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_10 mod
-        2048;
-      slice6cost_column_0_20_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_20 +
-        slice6cost_column_0_20_choice) mod 2048;
-      slice6cost_column_0_21_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_10 / 2048;
-      slice6cost_column_0_21_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_21 +
-        slice6cost_column_0_21_choice) mod 2048;
-      slice6cost_column_0_22_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_11 mod
-        2048;
-      slice6cost_column_0_22_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_22 +
-        slice6cost_column_0_22_choice) mod 2048;
-      slice6cost_column_0_23_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_11 / 2048;
-      slice6cost_column_0_23_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_23 +
-        slice6cost_column_0_23_choice) mod 2048;
-      slice6cost_column_0_24_choice := 0 when slice3window_change_tag_first_group else slice6cost_ready_words_12;
-      slice6cost_column_0_24_choice_2 := 0 when slice3window_change_tag_border_column else (slice6cost_change_0_24 +
-        slice6cost_column_0_24_choice) mod 2048;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_0_choice := 0;
+      else
+        slice6cost_column_0_0_choice := slice6cost_ready_words_0 mod 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_0_choice_2 := 0;
+      else
+        slice6cost_column_0_0_choice_2 := (slice6cost_change_0_0 + slice6cost_column_0_0_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_1_choice := 0;
+      else
+        slice6cost_column_0_1_choice := slice6cost_ready_words_0 / 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_1_choice_2 := 0;
+      else
+        slice6cost_column_0_1_choice_2 := (slice6cost_change_0_1 + slice6cost_column_0_1_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_2_choice := 0;
+      else
+        slice6cost_column_0_2_choice := slice6cost_ready_words_1 mod 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_2_choice_2 := 0;
+      else
+        slice6cost_column_0_2_choice_2 := (slice6cost_change_0_2 + slice6cost_column_0_2_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_3_choice := 0;
+      else
+        slice6cost_column_0_3_choice := slice6cost_ready_words_1 / 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_3_choice_2 := 0;
+      else
+        slice6cost_column_0_3_choice_2 := (slice6cost_change_0_3 + slice6cost_column_0_3_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_4_choice := 0;
+      else
+        slice6cost_column_0_4_choice := slice6cost_ready_words_2 mod 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_4_choice_2 := 0;
+      else
+        slice6cost_column_0_4_choice_2 := (slice6cost_change_0_4 + slice6cost_column_0_4_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_5_choice := 0;
+      else
+        slice6cost_column_0_5_choice := slice6cost_ready_words_2 / 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_5_choice_2 := 0;
+      else
+        slice6cost_column_0_5_choice_2 := (slice6cost_change_0_5 + slice6cost_column_0_5_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_6_choice := 0;
+      else
+        slice6cost_column_0_6_choice := slice6cost_ready_words_3 mod 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_6_choice_2 := 0;
+      else
+        slice6cost_column_0_6_choice_2 := (slice6cost_change_0_6 + slice6cost_column_0_6_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_7_choice := 0;
+      else
+        slice6cost_column_0_7_choice := slice6cost_ready_words_3 / 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_7_choice_2 := 0;
+      else
+        slice6cost_column_0_7_choice_2 := (slice6cost_change_0_7 + slice6cost_column_0_7_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_8_choice := 0;
+      else
+        slice6cost_column_0_8_choice := slice6cost_ready_words_4 mod 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_8_choice_2 := 0;
+      else
+        slice6cost_column_0_8_choice_2 := (slice6cost_change_0_8 + slice6cost_column_0_8_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_9_choice := 0;
+      else
+        slice6cost_column_0_9_choice := slice6cost_ready_words_4 / 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_9_choice_2 := 0;
+      else
+        slice6cost_column_0_9_choice_2 := (slice6cost_change_0_9 + slice6cost_column_0_9_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_10_choice := 0;
+      else
+        slice6cost_column_0_10_choice := slice6cost_ready_words_5 mod 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_10_choice_2 := 0;
+      else
+        slice6cost_column_0_10_choice_2 := (slice6cost_change_0_10 + slice6cost_column_0_10_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_11_choice := 0;
+      else
+        slice6cost_column_0_11_choice := slice6cost_ready_words_5 / 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_11_choice_2 := 0;
+      else
+        slice6cost_column_0_11_choice_2 := (slice6cost_change_0_11 + slice6cost_column_0_11_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_12_choice := 0;
+      else
+        slice6cost_column_0_12_choice := slice6cost_ready_words_6 mod 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_12_choice_2 := 0;
+      else
+        slice6cost_column_0_12_choice_2 := (slice6cost_change_0_12 + slice6cost_column_0_12_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_13_choice := 0;
+      else
+        slice6cost_column_0_13_choice := slice6cost_ready_words_6 / 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_13_choice_2 := 0;
+      else
+        slice6cost_column_0_13_choice_2 := (slice6cost_change_0_13 + slice6cost_column_0_13_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_14_choice := 0;
+      else
+        slice6cost_column_0_14_choice := slice6cost_ready_words_7 mod 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_14_choice_2 := 0;
+      else
+        slice6cost_column_0_14_choice_2 := (slice6cost_change_0_14 + slice6cost_column_0_14_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_15_choice := 0;
+      else
+        slice6cost_column_0_15_choice := slice6cost_ready_words_7 / 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_15_choice_2 := 0;
+      else
+        slice6cost_column_0_15_choice_2 := (slice6cost_change_0_15 + slice6cost_column_0_15_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_16_choice := 0;
+      else
+        slice6cost_column_0_16_choice := slice6cost_ready_words_8 mod 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_16_choice_2 := 0;
+      else
+        slice6cost_column_0_16_choice_2 := (slice6cost_change_0_16 + slice6cost_column_0_16_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_17_choice := 0;
+      else
+        slice6cost_column_0_17_choice := slice6cost_ready_words_8 / 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_17_choice_2 := 0;
+      else
+        slice6cost_column_0_17_choice_2 := (slice6cost_change_0_17 + slice6cost_column_0_17_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_18_choice := 0;
+      else
+        slice6cost_column_0_18_choice := slice6cost_ready_words_9 mod 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_18_choice_2 := 0;
+      else
+        slice6cost_column_0_18_choice_2 := (slice6cost_change_0_18 + slice6cost_column_0_18_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_19_choice := 0;
+      else
+        slice6cost_column_0_19_choice := slice6cost_ready_words_9 / 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_19_choice_2 := 0;
+      else
+        slice6cost_column_0_19_choice_2 := (slice6cost_change_0_19 + slice6cost_column_0_19_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_20_choice := 0;
+      else
+        slice6cost_column_0_20_choice := slice6cost_ready_words_10 mod 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_20_choice_2 := 0;
+      else
+        slice6cost_column_0_20_choice_2 := (slice6cost_change_0_20 + slice6cost_column_0_20_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_21_choice := 0;
+      else
+        slice6cost_column_0_21_choice := slice6cost_ready_words_10 / 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_21_choice_2 := 0;
+      else
+        slice6cost_column_0_21_choice_2 := (slice6cost_change_0_21 + slice6cost_column_0_21_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_22_choice := 0;
+      else
+        slice6cost_column_0_22_choice := slice6cost_ready_words_11 mod 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_22_choice_2 := 0;
+      else
+        slice6cost_column_0_22_choice_2 := (slice6cost_change_0_22 + slice6cost_column_0_22_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_23_choice := 0;
+      else
+        slice6cost_column_0_23_choice := slice6cost_ready_words_11 / 2048;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_23_choice_2 := 0;
+      else
+        slice6cost_column_0_23_choice_2 := (slice6cost_change_0_23 + slice6cost_column_0_23_choice) mod 2048;
+      end if;
+      if slice3window_change_tag_first_group then
+        slice6cost_column_0_24_choice := 0;
+      else
+        slice6cost_column_0_24_choice := slice6cost_ready_words_12;
+      end if;
+      if slice3window_change_tag_border_column then
+        slice6cost_column_0_24_choice_2 := 0;
+      else
+        slice6cost_column_0_24_choice_2 := (slice6cost_change_0_24 + slice6cost_column_0_24_choice) mod 2048;
+      end if;
       slice6cost_pixels_first_0_0 <= slice6shift_search_0_0 - slice6shift_reference_0;
       slice6cost_pixels_first_0_1 <= slice6shift_search_0_1 - slice6shift_reference_0;
       slice6cost_pixels_first_0_2 <= slice6shift_search_0_2 - slice6shift_reference_0;
@@ -8986,11 +12621,18 @@ begin
       slice6cost_column_0_24 <= slice6cost_column_0_24_choice_2;
       slice6cost_write_column <= slice6cost_ready_column;
       if slice0window_change_tag_valid then
-        slice6cost_read_column <= 0 when slice0window_change_tag_row_start else (slice6cost_read_column + 1) mod 1024;
+        if slice0window_change_tag_row_start then
+          slice6cost_read_column <= 0;
+        else
+          slice6cost_read_column <= (slice6cost_read_column + 1) mod 1024;
+        end if;
       end if;
       if slice0window_tag_valid then
-        slice6cost_change_column <= 0 when slice1window_change_tag_row_start else (slice6cost_change_column + 1) mod
-          1024;
+        if slice1window_change_tag_row_start then
+          slice6cost_change_column <= 0;
+        else
+          slice6cost_change_column <= (slice6cost_change_column + 1) mod 1024;
+        end if;
       end if;
       if slice0winner2_tag_valid then
         slice6cost_write_words_0 <= (slice6cost_column_0_1_choice_2 * 2048) + slice6cost_column_0_0_choice_2;
@@ -9009,9 +12651,12 @@ begin
       end if;
       -- slice6window
       if slice0winner3_tag_valid then
-        slice6window_ring_read_address <= 0 when slice6window_ring_read_address = 7 else
-          (slice6window_ring_read_address + 1) mod 8;
         slice6window_ring_write_address <= slice6window_ring_read_address;
+        if slice6window_ring_read_address = 7 then
+          slice6window_ring_read_address <= 0;
+        else
+          slice6window_ring_read_address <= (slice6window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice5window_change_tag_leaves_window then
         slice6window_change_0_0_choice := to_integer(slice6window_leaving_0(10 downto 0));
@@ -9191,31 +12836,131 @@ begin
       slice6window_change_tag_leaves_window <= slice5window_change_tag_leaves_window;
       slice6window_centre_first_column_0 <= slice5window_centre_first_column_0;
       slice6window_centre_end_of_line_0 <= slice5window_centre_end_of_line_0;
-      slice6window_sum_0_0_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_0;
-      slice6window_sum_0_1_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_1;
-      slice6window_sum_0_2_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_2;
-      slice6window_sum_0_3_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_3;
-      slice6window_sum_0_4_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_4;
-      slice6window_sum_0_5_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_5;
-      slice6window_sum_0_6_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_6;
-      slice6window_sum_0_7_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_7;
-      slice6window_sum_0_8_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_8;
-      slice6window_sum_0_9_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_9;
-      slice6window_sum_0_10_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_10;
-      slice6window_sum_0_11_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_11;
-      slice6window_sum_0_12_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_12;
-      slice6window_sum_0_13_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_13;
-      slice6window_sum_0_14_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_14;
-      slice6window_sum_0_15_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_15;
-      slice6window_sum_0_16_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_16;
-      slice6window_sum_0_17_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_17;
-      slice6window_sum_0_18_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_18;
-      slice6window_sum_0_19_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_19;
-      slice6window_sum_0_20_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_20;
-      slice6window_sum_0_21_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_21;
-      slice6window_sum_0_22_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_22;
-      slice6window_sum_0_23_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_23;
-      slice6window_sum_0_24_choice := 0 when slice5window_centre_first_column_0 else slice6window_sum_0_24;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_0_choice := 0;
+      else
+        slice6window_sum_0_0_choice := slice6window_sum_0_0;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_1_choice := 0;
+      else
+        slice6window_sum_0_1_choice := slice6window_sum_0_1;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_2_choice := 0;
+      else
+        slice6window_sum_0_2_choice := slice6window_sum_0_2;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_3_choice := 0;
+      else
+        slice6window_sum_0_3_choice := slice6window_sum_0_3;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_4_choice := 0;
+      else
+        slice6window_sum_0_4_choice := slice6window_sum_0_4;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_5_choice := 0;
+      else
+        slice6window_sum_0_5_choice := slice6window_sum_0_5;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_6_choice := 0;
+      else
+        slice6window_sum_0_6_choice := slice6window_sum_0_6;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_7_choice := 0;
+      else
+        slice6window_sum_0_7_choice := slice6window_sum_0_7;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_8_choice := 0;
+      else
+        slice6window_sum_0_8_choice := slice6window_sum_0_8;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_9_choice := 0;
+      else
+        slice6window_sum_0_9_choice := slice6window_sum_0_9;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_10_choice := 0;
+      else
+        slice6window_sum_0_10_choice := slice6window_sum_0_10;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_11_choice := 0;
+      else
+        slice6window_sum_0_11_choice := slice6window_sum_0_11;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_12_choice := 0;
+      else
+        slice6window_sum_0_12_choice := slice6window_sum_0_12;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_13_choice := 0;
+      else
+        slice6window_sum_0_13_choice := slice6window_sum_0_13;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_14_choice := 0;
+      else
+        slice6window_sum_0_14_choice := slice6window_sum_0_14;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_15_choice := 0;
+      else
+        slice6window_sum_0_15_choice := slice6window_sum_0_15;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_16_choice := 0;
+      else
+        slice6window_sum_0_16_choice := slice6window_sum_0_16;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_17_choice := 0;
+      else
+        slice6window_sum_0_17_choice := slice6window_sum_0_17;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_18_choice := 0;
+      else
+        slice6window_sum_0_18_choice := slice6window_sum_0_18;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_19_choice := 0;
+      else
+        slice6window_sum_0_19_choice := slice6window_sum_0_19;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_20_choice := 0;
+      else
+        slice6window_sum_0_20_choice := slice6window_sum_0_20;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_21_choice := 0;
+      else
+        slice6window_sum_0_21_choice := slice6window_sum_0_21;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_22_choice := 0;
+      else
+        slice6window_sum_0_22_choice := slice6window_sum_0_22;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_23_choice := 0;
+      else
+        slice6window_sum_0_23_choice := slice6window_sum_0_23;
+      end if;
+      if slice5window_centre_first_column_0 then
+        slice6window_sum_0_24_choice := 0;
+      else
+        slice6window_sum_0_24_choice := slice6window_sum_0_24;
+      end if;
       if slice0winner5_tag_valid then
         slice6window_sum_0_0 <= (slice6window_sum_0_0_choice + slice6window_change_0_0) mod 16384;
         slice6window_sum_0_1 <= (slice6window_sum_0_1_choice + slice6window_change_0_1) mod 16384;
@@ -9259,43 +13004,90 @@ begin
       slice6winner1_best_cost_0_9_is_less := (slice6window_sum_0_19 - slice6window_sum_0_18) < 0;
       slice6winner1_best_cost_0_10_is_less := (slice6window_sum_0_21 - slice6window_sum_0_20) < 0;
       slice6winner1_best_cost_0_11_is_less := (slice6window_sum_0_23 - slice6window_sum_0_22) < 0;
-      slice6winner1_best_cost_0_0 <= slice6window_sum_0_1 when slice6winner1_best_cost_0_0_is_less else
-        slice6window_sum_0_0;
-      slice6winner1_best_cost_0_1 <= slice6window_sum_0_3 when slice6winner1_best_cost_0_1_is_less else
-        slice6window_sum_0_2;
-      slice6winner1_best_cost_0_2 <= slice6window_sum_0_5 when slice6winner1_best_cost_0_2_is_less else
-        slice6window_sum_0_4;
-      slice6winner1_best_cost_0_3 <= slice6window_sum_0_7 when slice6winner1_best_cost_0_3_is_less else
-        slice6window_sum_0_6;
-      slice6winner1_best_cost_0_4 <= slice6window_sum_0_9 when slice6winner1_best_cost_0_4_is_less else
-        slice6window_sum_0_8;
-      slice6winner1_best_cost_0_5 <= slice6window_sum_0_11 when slice6winner1_best_cost_0_5_is_less else
-        slice6window_sum_0_10;
-      slice6winner1_best_cost_0_6 <= slice6window_sum_0_13 when slice6winner1_best_cost_0_6_is_less else
-        slice6window_sum_0_12;
-      slice6winner1_best_cost_0_7 <= slice6window_sum_0_15 when slice6winner1_best_cost_0_7_is_less else
-        slice6window_sum_0_14;
-      slice6winner1_best_cost_0_8 <= slice6window_sum_0_17 when slice6winner1_best_cost_0_8_is_less else
-        slice6window_sum_0_16;
-      slice6winner1_best_cost_0_9 <= slice6window_sum_0_19 when slice6winner1_best_cost_0_9_is_less else
-        slice6window_sum_0_18;
-      slice6winner1_best_cost_0_10 <= slice6window_sum_0_21 when slice6winner1_best_cost_0_10_is_less else
-        slice6window_sum_0_20;
-      slice6winner1_best_cost_0_11 <= slice6window_sum_0_23 when slice6winner1_best_cost_0_11_is_less else
-        slice6window_sum_0_22;
       slice6winner1_best_cost_0_12 <= slice6window_sum_0_24;
       slice6winner1_best_index_0_0 <= slice6winner1_best_cost_0_0_is_less;
-      slice6winner1_best_index_0_1 <= 3 when slice6winner1_best_cost_0_1_is_less else 2;
-      slice6winner1_best_index_0_2 <= 5 when slice6winner1_best_cost_0_2_is_less else 4;
-      slice6winner1_best_index_0_3 <= 7 when slice6winner1_best_cost_0_3_is_less else 6;
-      slice6winner1_best_index_0_4 <= 9 when slice6winner1_best_cost_0_4_is_less else 8;
-      slice6winner1_best_index_0_5 <= 11 when slice6winner1_best_cost_0_5_is_less else 10;
-      slice6winner1_best_index_0_6 <= 13 when slice6winner1_best_cost_0_6_is_less else 12;
-      slice6winner1_best_index_0_7 <= 15 when slice6winner1_best_cost_0_7_is_less else 14;
-      slice6winner1_best_index_0_8 <= 17 when slice6winner1_best_cost_0_8_is_less else 16;
-      slice6winner1_best_index_0_9 <= 19 when slice6winner1_best_cost_0_9_is_less else 18;
-      slice6winner1_best_index_0_10 <= 21 when slice6winner1_best_cost_0_10_is_less else 20;
-      slice6winner1_best_index_0_11 <= 23 when slice6winner1_best_cost_0_11_is_less else 22;
+      if slice6winner1_best_cost_0_0_is_less then
+        slice6winner1_best_cost_0_0 <= slice6window_sum_0_1;
+      else
+        slice6winner1_best_cost_0_0 <= slice6window_sum_0_0;
+      end if;
+      if slice6winner1_best_cost_0_1_is_less then
+        slice6winner1_best_cost_0_1 <= slice6window_sum_0_3;
+        slice6winner1_best_index_0_1 <= 3;
+      else
+        slice6winner1_best_cost_0_1 <= slice6window_sum_0_2;
+        slice6winner1_best_index_0_1 <= 2;
+      end if;
+      if slice6winner1_best_cost_0_2_is_less then
+        slice6winner1_best_cost_0_2 <= slice6window_sum_0_5;
+        slice6winner1_best_index_0_2 <= 5;
+      else
+        slice6winner1_best_cost_0_2 <= slice6window_sum_0_4;
+        slice6winner1_best_index_0_2 <= 4;
+      end if;
+      if slice6winner1_best_cost_0_3_is_less then
+        slice6winner1_best_cost_0_3 <= slice6window_sum_0_7;
+        slice6winner1_best_index_0_3 <= 7;
+      else
+        slice6winner1_best_cost_0_3 <= slice6window_sum_0_6;
+        slice6winner1_best_index_0_3 <= 6;
+      end if;
+      if slice6winner1_best_cost_0_4_is_less then
+        slice6winner1_best_cost_0_4 <= slice6window_sum_0_9;
+        slice6winner1_best_index_0_4 <= 9;
+      else
+        slice6winner1_best_cost_0_4 <= slice6window_sum_0_8;
+        slice6winner1_best_index_0_4 <= 8;
+      end if;
+      if slice6winner1_best_cost_0_5_is_less then
+        slice6winner1_best_cost_0_5 <= slice6window_sum_0_11;
+        slice6winner1_best_index_0_5 <= 11;
+      else
+        slice6winner1_best_cost_0_5 <= slice6window_sum_0_10;
+        slice6winner1_best_index_0_5 <= 10;
+      end if;
+      if slice6winner1_best_cost_0_6_is_less then
+        slice6winner1_best_cost_0_6 <= slice6window_sum_0_13;
+        slice6winner1_best_index_0_6 <= 13;
+      else
+        slice6winner1_best_cost_0_6 <= slice6window_sum_0_12;
+        slice6winner1_best_index_0_6 <= 12;
+      end if;
+      if slice6winner1_best_cost_0_7_is_less then
+        slice6winner1_best_cost_0_7 <= slice6window_sum_0_15;
+        slice6winner1_best_index_0_7 <= 15;
+      else
+        slice6winner1_best_cost_0_7 <= slice6window_sum_0_14;
+        slice6winner1_best_index_0_7 <= 14;
+      end if;
+      if slice6winner1_best_cost_0_8_is_less then
+        slice6winner1_best_cost_0_8 <= slice6window_sum_0_17;
+        slice6winner1_best_index_0_8 <= 17;
+      else
+        slice6winner1_best_cost_0_8 <= slice6window_sum_0_16;
+        slice6winner1_best_index_0_8 <= 16;
+      end if;
+      if slice6winner1_best_cost_0_9_is_less then
+        slice6winner1_best_cost_0_9 <= slice6window_sum_0_19;
+        slice6winner1_best_index_0_9 <= 19;
+      else
+        slice6winner1_best_cost_0_9 <= slice6window_sum_0_18;
+        slice6winner1_best_index_0_9 <= 18;
+      end if;
+      if slice6winner1_best_cost_0_10_is_less then
+        slice6winner1_best_cost_0_10 <= slice6window_sum_0_21;
+        slice6winner1_best_index_0_10 <= 21;
+      else
+        slice6winner1_best_cost_0_10 <= slice6window_sum_0_20;
+        slice6winner1_best_index_0_10 <= 20;
+      end if;
+      if slice6winner1_best_cost_0_11_is_less then
+        slice6winner1_best_cost_0_11 <= slice6window_sum_0_23;
+        slice6winner1_best_index_0_11 <= 23;
+      else
+        slice6winner1_best_cost_0_11 <= slice6window_sum_0_22;
+        slice6winner1_best_index_0_11 <= 22;
+      end if;
       -- slice6winner2
       slice6winner2_best_cost_0_0_is_less := (slice6winner1_best_cost_0_1 - slice6winner1_best_cost_0_0) < 0;
       slice6winner2_best_cost_0_1_is_less := (slice6winner1_best_cost_0_3 - slice6winner1_best_cost_0_2) < 0;
@@ -9303,74 +13095,114 @@ begin
       slice6winner2_best_cost_0_3_is_less := (slice6winner1_best_cost_0_7 - slice6winner1_best_cost_0_6) < 0;
       slice6winner2_best_cost_0_4_is_less := (slice6winner1_best_cost_0_9 - slice6winner1_best_cost_0_8) < 0;
       slice6winner2_best_cost_0_5_is_less := (slice6winner1_best_cost_0_11 - slice6winner1_best_cost_0_10) < 0;
-      slice6winner2_best_cost_0_0 <= slice6winner1_best_cost_0_1 when slice6winner2_best_cost_0_0_is_less else
-        slice6winner1_best_cost_0_0;
-      slice6winner2_best_cost_0_1 <= slice6winner1_best_cost_0_3 when slice6winner2_best_cost_0_1_is_less else
-        slice6winner1_best_cost_0_2;
-      slice6winner2_best_cost_0_2 <= slice6winner1_best_cost_0_5 when slice6winner2_best_cost_0_2_is_less else
-        slice6winner1_best_cost_0_4;
-      slice6winner2_best_cost_0_3 <= slice6winner1_best_cost_0_7 when slice6winner2_best_cost_0_3_is_less else
-        slice6winner1_best_cost_0_6;
-      slice6winner2_best_cost_0_4 <= slice6winner1_best_cost_0_9 when slice6winner2_best_cost_0_4_is_less else
-        slice6winner1_best_cost_0_8;
-      slice6winner2_best_cost_0_5 <= slice6winner1_best_cost_0_11 when slice6winner2_best_cost_0_5_is_less else
-        slice6winner1_best_cost_0_10;
       slice6winner2_best_cost_0_6 <= slice6winner1_best_cost_0_12;
-      slice6winner2_best_index_0_0 <= slice6winner1_best_index_0_1 when slice6winner2_best_cost_0_0_is_less else
-        as_number(slice6winner1_best_index_0_0);
-      slice6winner2_best_index_0_1 <= slice6winner1_best_index_0_3 when slice6winner2_best_cost_0_1_is_less else
-        slice6winner1_best_index_0_2;
-      slice6winner2_best_index_0_2 <= slice6winner1_best_index_0_5 when slice6winner2_best_cost_0_2_is_less else
-        slice6winner1_best_index_0_4;
-      slice6winner2_best_index_0_3 <= slice6winner1_best_index_0_7 when slice6winner2_best_cost_0_3_is_less else
-        slice6winner1_best_index_0_6;
-      slice6winner2_best_index_0_4 <= slice6winner1_best_index_0_9 when slice6winner2_best_cost_0_4_is_less else
-        slice6winner1_best_index_0_8;
-      slice6winner2_best_index_0_5 <= slice6winner1_best_index_0_11 when slice6winner2_best_cost_0_5_is_less else
-        slice6winner1_best_index_0_10;
+      if slice6winner2_best_cost_0_0_is_less then
+        slice6winner2_best_cost_0_0 <= slice6winner1_best_cost_0_1;
+        slice6winner2_best_index_0_0 <= slice6winner1_best_index_0_1;
+      else
+        slice6winner2_best_cost_0_0 <= slice6winner1_best_cost_0_0;
+        slice6winner2_best_index_0_0 <= as_number(slice6winner1_best_index_0_0);
+      end if;
+      if slice6winner2_best_cost_0_1_is_less then
+        slice6winner2_best_cost_0_1 <= slice6winner1_best_cost_0_3;
+        slice6winner2_best_index_0_1 <= slice6winner1_best_index_0_3;
+      else
+        slice6winner2_best_cost_0_1 <= slice6winner1_best_cost_0_2;
+        slice6winner2_best_index_0_1 <= slice6winner1_best_index_0_2;
+      end if;
+      if slice6winner2_best_cost_0_2_is_less then
+        slice6winner2_best_cost_0_2 <= slice6winner1_best_cost_0_5;
+        slice6winner2_best_index_0_2 <= slice6winner1_best_index_0_5;
+      else
+        slice6winner2_best_cost_0_2 <= slice6winner1_best_cost_0_4;
+        slice6winner2_best_index_0_2 <= slice6winner1_best_index_0_4;
+      end if;
+      if slice6winner2_best_cost_0_3_is_less then
+        slice6winner2_best_cost_0_3 <= slice6winner1_best_cost_0_7;
+        slice6winner2_best_index_0_3 <= slice6winner1_best_index_0_7;
+      else
+        slice6winner2_best_cost_0_3 <= slice6winner1_best_cost_0_6;
+        slice6winner2_best_index_0_3 <= slice6winner1_best_index_0_6;
+      end if;
+      if slice6winner2_best_cost_0_4_is_less then
+        slice6winner2_best_cost_0_4 <= slice6winner1_best_cost_0_9;
+        slice6winner2_best_index_0_4 <= slice6winner1_best_index_0_9;
+      else
+        slice6winner2_best_cost_0_4 <= slice6winner1_best_cost_0_8;
+        slice6winner2_best_index_0_4 <= slice6winner1_best_index_0_8;
+      end if;
+      if slice6winner2_best_cost_0_5_is_less then
+        slice6winner2_best_cost_0_5 <= slice6winner1_best_cost_0_11;
+        slice6winner2_best_index_0_5 <= slice6winner1_best_index_0_11;
+      else
+        slice6winner2_best_cost_0_5 <= slice6winner1_best_cost_0_10;
+        slice6winner2_best_index_0_5 <= slice6winner1_best_index_0_10;
+      end if;
       -- slice6winner3
       slice6winner3_best_cost_0_0_is_less := (slice6winner2_best_cost_0_1 - slice6winner2_best_cost_0_0) < 0;
       slice6winner3_best_cost_0_1_is_less := (slice6winner2_best_cost_0_3 - slice6winner2_best_cost_0_2) < 0;
       slice6winner3_best_cost_0_2_is_less := (slice6winner2_best_cost_0_5 - slice6winner2_best_cost_0_4) < 0;
-      slice6winner3_best_cost_0_0 <= slice6winner2_best_cost_0_1 when slice6winner3_best_cost_0_0_is_less else
-        slice6winner2_best_cost_0_0;
-      slice6winner3_best_cost_0_1 <= slice6winner2_best_cost_0_3 when slice6winner3_best_cost_0_1_is_less else
-        slice6winner2_best_cost_0_2;
-      slice6winner3_best_cost_0_2 <= slice6winner2_best_cost_0_5 when slice6winner3_best_cost_0_2_is_less else
-        slice6winner2_best_cost_0_4;
       slice6winner3_best_cost_0_3 <= slice6winner2_best_cost_0_6;
-      slice6winner3_best_index_0_0 <= slice6winner2_best_index_0_1 when slice6winner3_best_cost_0_0_is_less else
-        slice6winner2_best_index_0_0;
-      slice6winner3_best_index_0_1 <= slice6winner2_best_index_0_3 when slice6winner3_best_cost_0_1_is_less else
-        slice6winner2_best_index_0_2;
-      slice6winner3_best_index_0_2 <= slice6winner2_best_index_0_5 when slice6winner3_best_cost_0_2_is_less else
-        slice6winner2_best_index_0_4;
+      if slice6winner3_best_cost_0_0_is_less then
+        slice6winner3_best_cost_0_0 <= slice6winner2_best_cost_0_1;
+        slice6winner3_best_index_0_0 <= slice6winner2_best_index_0_1;
+      else
+        slice6winner3_best_cost_0_0 <= slice6winner2_best_cost_0_0;
+        slice6winner3_best_index_0_0 <= slice6winner2_best_index_0_0;
+      end if;
+      if slice6winner3_best_cost_0_1_is_less then
+        slice6winner3_best_cost_0_1 <= slice6winner2_best_cost_0_3;
+        slice6winner3_best_index_0_1 <= slice6winner2_best_index_0_3;
+      else
+        slice6winner3_best_cost_0_1 <= slice6winner2_best_cost_0_2;
+        slice6winner3_best_index_0_1 <= slice6winner2_best_index_0_2;
+      end if;
+      if slice6winner3_best_cost_0_2_is_less then
+        slice6winner3_best_cost_0_2 <= slice6winner2_best_cost_0_5;
+        slice6winner3_best_index_0_2 <= slice6winner2_best_index_0_5;
+      else
+        slice6winner3_best_cost_0_2 <= slice6winner2_best_cost_0_4;
+        slice6winner3_best_index_0_2 <= slice6winner2_best_index_0_4;
+      end if;
       -- slice6winner4
       slice6winner4_best_cost_0_0_is_less := (slice6winner3_best_cost_0_1 - slice6winner3_best_cost_0_0) < 0;
       slice6winner4_best_cost_0_1_is_less := (slice6winner3_best_cost_0_3 - slice6winner3_best_cost_0_2) < 0;
-      slice6winner4_best_cost_0_0 <= slice6winner3_best_cost_0_1 when slice6winner4_best_cost_0_0_is_less else
-        slice6winner3_best_cost_0_0;
-      slice6winner4_best_cost_0_1 <= slice6winner3_best_cost_0_3 when slice6winner4_best_cost_0_1_is_less else
-        slice6winner3_best_cost_0_2;
-      slice6winner4_best_index_0_0 <= slice6winner3_best_index_0_1 when slice6winner4_best_cost_0_0_is_less else
-        slice6winner3_best_index_0_0;
-      slice6winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice6winner4_best_cost_0_1_is_less else
-        slice6winner3_best_index_0_2;
+      if slice6winner4_best_cost_0_0_is_less then
+        slice6winner4_best_cost_0_0 <= slice6winner3_best_cost_0_1;
+        slice6winner4_best_index_0_0 <= slice6winner3_best_index_0_1;
+      else
+        slice6winner4_best_cost_0_0 <= slice6winner3_best_cost_0_0;
+        slice6winner4_best_index_0_0 <= slice6winner3_best_index_0_0;
+      end if;
+      if slice6winner4_best_cost_0_1_is_less then
+        slice6winner4_best_cost_0_1 <= slice6winner3_best_cost_0_3;
+        slice6winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice6winner4_best_cost_0_1 <= slice6winner3_best_cost_0_2;
+        slice6winner4_best_index_0_1 <= slice6winner3_best_index_0_2;
+      end if;
       -- slice6winner5
       slice6winner5_best_cost_0_0_is_less := (slice6winner4_best_cost_0_1 - slice6winner4_best_cost_0_0) < 0;
-      slice6winner5_best_cost_0_0 <= slice6winner4_best_cost_0_1 when slice6winner5_best_cost_0_0_is_less else
-        slice6winner4_best_cost_0_0;
-      slice6winner5_best_index_0_0 <= slice6winner4_best_index_0_1 when slice6winner5_best_cost_0_0_is_less else
-        slice6winner4_best_index_0_0;
+      if slice6winner5_best_cost_0_0_is_less then
+        slice6winner5_best_cost_0_0 <= slice6winner4_best_cost_0_1;
+        slice6winner5_best_index_0_0 <= slice6winner4_best_index_0_1;
+      else
+        slice6winner5_best_cost_0_0 <= slice6winner4_best_cost_0_0;
+        slice6winner5_best_index_0_0 <= slice6winner4_best_index_0_0;
+      end if;
       -- slice6
       slice6_best_cost_0_0_is_less := (slice5_best_cost_0_0 - slice6winner5_best_cost_0_0) < 0;
-      slice6_best_cost_0_0 <= slice5_best_cost_0_0 when slice6_best_cost_0_0_is_less else slice6winner5_best_cost_0_0;
-      slice6_best_index_0_0 <= slice5_best_index_0_0 when slice6_best_cost_0_0_is_less else
-        slice6winner5_best_index_0_0 + 25;
       slice6_best_tag_valid <= slice5_best_tag_valid;
       slice6_best_tag_output_column <= slice5_best_tag_output_column;
       slice6_best_tag_start_of_frame <= slice5_best_tag_start_of_frame;
       slice6_best_tag_end_of_line <= slice5_best_tag_end_of_line;
+      if slice6_best_cost_0_0_is_less then
+        slice6_best_cost_0_0 <= slice5_best_cost_0_0;
+        slice6_best_index_0_0 <= slice5_best_index_0_0;
+      else
+        slice6_best_cost_0_0 <= slice6winner5_best_cost_0_0;
+        slice6_best_index_0_0 <= slice6winner5_best_index_0_0 + 25;
+      end if;
       -- slice7shift
       if slice0window_change_tag_valid then
         slice7shift_search_0_0 <= slice7shift_search_0_1;
@@ -9427,88 +13259,256 @@ begin
       slice7shift_reference_0 <= slice6shift_reference_0;
       slice7shift_reference_1 <= slice6shift_reference_1;
       -- slice7cost
-      slice7cost_column_0_0_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_0 mod 2048;
-      slice7cost_column_0_0_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_0 +
-        slice7cost_column_0_0_choice) mod 2048;
-      slice7cost_column_0_1_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_0 / 2048;
-      slice7cost_column_0_1_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_1 +
-        slice7cost_column_0_1_choice) mod 2048;
-      slice7cost_column_0_2_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_1 mod 2048;
-      slice7cost_column_0_2_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_2 +
-        slice7cost_column_0_2_choice) mod 2048;
-      slice7cost_column_0_3_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_1 / 2048;
-      slice7cost_column_0_3_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_3 +
-        slice7cost_column_0_3_choice) mod 2048;
-      slice7cost_column_0_4_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_2 mod 2048;
-      slice7cost_column_0_4_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_4 +
-        slice7cost_column_0_4_choice) mod 2048;
-      slice7cost_column_0_5_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_2 / 2048;
-      slice7cost_column_0_5_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_5 +
-        slice7cost_column_0_5_choice) mod 2048;
-      slice7cost_column_0_6_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_3 mod 2048;
-      slice7cost_column_0_6_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_6 +
-        slice7cost_column_0_6_choice) mod 2048;
-      slice7cost_column_0_7_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_3 / 2048;
-      slice7cost_column_0_7_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_7 +
-        slice7cost_column_0_7_choice) mod 2048;
-      slice7cost_column_0_8_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_4 mod 2048;
-      slice7cost_column_0_8_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_8 +
-        slice7cost_column_0_8_choice) mod 2048;
-      slice7cost_column_0_9_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_4 / 2048;
-      slice7cost_column_0_9_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_9 +
-        slice7cost_column_0_9_choice) mod 2048;
-      slice7cost_column_0_10_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_5 mod
-        2048;
-      slice7cost_column_0_10_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_10 +
-        slice7cost_column_0_10_choice) mod 2048;
-      slice7cost_column_0_11_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_5 / 2048;
-      slice7cost_column_0_11_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_11 +
-        slice7cost_column_0_11_choice) mod 2048;
-      slice7cost_column_0_12_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_6 mod
-        2048;
-      slice7cost_column_0_12_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_12 +
-        slice7cost_column_0_12_choice) mod 2048;
-      slice7cost_column_0_13_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_6 / 2048;
-      slice7cost_column_0_13_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_13 +
-        slice7cost_column_0_13_choice) mod 2048;
-      slice7cost_column_0_14_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_7 mod
-        2048;
-      slice7cost_column_0_14_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_14 +
-        slice7cost_column_0_14_choice) mod 2048;
-      slice7cost_column_0_15_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_7 / 2048;
-      slice7cost_column_0_15_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_15 +
-        slice7cost_column_0_15_choice) mod 2048;
-      slice7cost_column_0_16_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_8 mod
-        2048;
-      slice7cost_column_0_16_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_16 +
-        slice7cost_column_0_16_choice) mod 2048;
-      slice7cost_column_0_17_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_8 / 2048;
-      slice7cost_column_0_17_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_17 +
-        slice7cost_column_0_17_choice) mod 2048;
-      slice7cost_column_0_18_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_9 mod
-        2048;
-      slice7cost_column_0_18_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_18 +
-        slice7cost_column_0_18_choice) mod 2048;
-      slice7cost_column_0_19_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_9 / 2048;
-      slice7cost_column_0_19_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_19 +
-        slice7cost_column_0_19_choice) mod 2048;
-      slice7cost_column_0_20_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_10 mod
-        2048;
-      slice7cost_column_0_20_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_20 +
-        slice7cost_column_0_20_choice) mod 2048;
-      slice7cost_column_0_21_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_10 / 2048;
-      slice7cost_column_0_21_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_21 +
-        slice7cost_column_0_21_choice) mod 2048;
-      slice7cost_column_0_22_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_11 mod
-        2048;
-      slice7cost_column_0_22_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_22 +
-        slice7cost_column_0_22_choice) mod 2048;
-      slice7cost_column_0_23_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_11 / 2048;
-      slice7cost_column_0_23_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_23 +
-        slice7cost_column_0_23_choice) mod 2048;
-      slice7cost_column_0_24_choice := 0 when slice4window_change_tag_first_group else slice7cost_ready_words_12;
-      slice7cost_column_0_24_choice_2 := 0 when slice4window_change_tag_border_column else (slice7cost_change_0_24 +
-        slice7cost_column_0_24_choice) mod 2048;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_0_choice := 0;
+      else
+        slice7cost_column_0_0_choice := slice7cost_ready_words_0 mod 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_0_choice_2 := 0;
+      else
+        slice7cost_column_0_0_choice_2 := (slice7cost_change_0_0 + slice7cost_column_0_0_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_1_choice := 0;
+      else
+        slice7cost_column_0_1_choice := slice7cost_ready_words_0 / 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_1_choice_2 := 0;
+      else
+        slice7cost_column_0_1_choice_2 := (slice7cost_change_0_1 + slice7cost_column_0_1_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_2_choice := 0;
+      else
+        slice7cost_column_0_2_choice := slice7cost_ready_words_1 mod 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_2_choice_2 := 0;
+      else
+        slice7cost_column_0_2_choice_2 := (slice7cost_change_0_2 + slice7cost_column_0_2_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_3_choice := 0;
+      else
+        slice7cost_column_0_3_choice := slice7cost_ready_words_1 / 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_3_choice_2 := 0;
+      else
+        slice7cost_column_0_3_choice_2 := (slice7cost_change_0_3 + slice7cost_column_0_3_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_4_choice := 0;
+      else
+        slice7cost_column_0_4_choice := slice7cost_ready_words_2 mod 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_4_choice_2 := 0;
+      else
+        slice7cost_column_0_4_choice_2 := (slice7cost_change_0_4 + slice7cost_column_0_4_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_5_choice := 0;
+      else
+        slice7cost_column_0_5_choice := slice7cost_ready_words_2 / 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_5_choice_2 := 0;
+      else
+        slice7cost_column_0_5_choice_2 := (slice7cost_change_0_5 + slice7cost_column_0_5_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_6_choice := 0;
+      else
+        slice7cost_column_0_6_choice := slice7cost_ready_words_3 mod 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_6_choice_2 := 0;
+      else
+        slice7cost_column_0_6_choice_2 := (slice7cost_change_0_6 + slice7cost_column_0_6_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_7_choice := 0;
+      else
+        slice7cost_column_0_7_choice := slice7cost_ready_words_3 / 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_7_choice_2 := 0;
+      else
+        slice7cost_column_0_7_choice_2 := (slice7cost_change_0_7 + slice7cost_column_0_7_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_8_choice := 0;
+      else
+        slice7cost_column_0_8_choice := slice7cost_ready_words_4 mod 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_8_choice_2 := 0;
+      else
+        slice7cost_column_0_8_choice_2 := (slice7cost_change_0_8 + slice7cost_column_0_8_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_9_choice := 0;
+      else
+        slice7cost_column_0_9_choice := slice7cost_ready_words_4 / 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_9_choice_2 := 0;
+      else
+        slice7cost_column_0_9_choice_2 := (slice7cost_change_0_9 + slice7cost_column_0_9_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_10_choice := 0;
+      else
+        slice7cost_column_0_10_choice := slice7cost_ready_words_5 mod 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_10_choice_2 := 0;
+      else
+        slice7cost_column_0_10_choice_2 := (slice7cost_change_0_10 + slice7cost_column_0_10_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_11_choice := 0;
+      else
+        slice7cost_column_0_11_choice := slice7cost_ready_words_5 / 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_11_choice_2 := 0;
+      else
+        slice7cost_column_0_11_choice_2 := (slice7cost_change_0_11 + slice7cost_column_0_11_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_12_choice := 0;
+      else
+        slice7cost_column_0_12_choice := slice7cost_ready_words_6 mod 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_12_choice_2 := 0;
+      else
+        slice7cost_column_0_12_choice_2 := (slice7cost_change_0_12 + slice7cost_column_0_12_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_13_choice := 0;
+      else
+        slice7cost_column_0_13_choice := slice7cost_ready_words_6 / 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_13_choice_2 := 0;
+      else
+        slice7cost_column_0_13_choice_2 := (slice7cost_change_0_13 + slice7cost_column_0_13_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_14_choice := 0;
+      else
+        slice7cost_column_0_14_choice := slice7cost_ready_words_7 mod 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_14_choice_2 := 0;
+      else
+        slice7cost_column_0_14_choice_2 := (slice7cost_change_0_14 + slice7cost_column_0_14_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_15_choice := 0;
+      else
+        slice7cost_column_0_15_choice := slice7cost_ready_words_7 / 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_15_choice_2 := 0;
+      else
+        slice7cost_column_0_15_choice_2 := (slice7cost_change_0_15 + slice7cost_column_0_15_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_16_choice := 0;
+      else
+        slice7cost_column_0_16_choice := slice7cost_ready_words_8 mod 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_16_choice_2 := 0;
+      else
+        slice7cost_column_0_16_choice_2 := (slice7cost_change_0_16 + slice7cost_column_0_16_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_17_choice := 0;
+      else
+        slice7cost_column_0_17_choice := slice7cost_ready_words_8 / 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_17_choice_2 := 0;
+      else
+        slice7cost_column_0_17_choice_2 := (slice7cost_change_0_17 + slice7cost_column_0_17_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_18_choice := 0;
+      else
+        slice7cost_column_0_18_choice := slice7cost_ready_words_9 mod 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_18_choice_2 := 0;
+      else
+        slice7cost_column_0_18_choice_2 := (slice7cost_change_0_18 + slice7cost_column_0_18_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_19_choice := 0;
+      else
+        slice7cost_column_0_19_choice := slice7cost_ready_words_9 / 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_19_choice_2 := 0;
+      else
+        slice7cost_column_0_19_choice_2 := (slice7cost_change_0_19 + slice7cost_column_0_19_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_20_choice := 0;
+      else
+        slice7cost_column_0_20_choice := slice7cost_ready_words_10 mod 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_20_choice_2 := 0;
+      else
+        slice7cost_column_0_20_choice_2 := (slice7cost_change_0_20 + slice7cost_column_0_20_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_21_choice := 0;
+      else
+        slice7cost_column_0_21_choice := slice7cost_ready_words_10 / 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_21_choice_2 := 0;
+      else
+        slice7cost_column_0_21_choice_2 := (slice7cost_change_0_21 + slice7cost_column_0_21_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_22_choice := 0;
+      else
+        slice7cost_column_0_22_choice := slice7cost_ready_words_11 mod 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_22_choice_2 := 0;
+      else
+        slice7cost_column_0_22_choice_2 := (slice7cost_change_0_22 + slice7cost_column_0_22_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_23_choice := 0;
+      else
+        slice7cost_column_0_23_choice := slice7cost_ready_words_11 / 2048;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_23_choice_2 := 0;
+      else
+        slice7cost_column_0_23_choice_2 := (slice7cost_change_0_23 + slice7cost_column_0_23_choice) mod 2048;
+      end if;
+      if slice4window_change_tag_first_group then
+        slice7cost_column_0_24_choice := 0;
+      else
+        slice7cost_column_0_24_choice := slice7cost_ready_words_12;
+      end if;
+      if slice4window_change_tag_border_column then
+        slice7cost_column_0_24_choice_2 := 0;
+      else
+        slice7cost_column_0_24_choice_2 := (slice7cost_change_0_24 + slice7cost_column_0_24_choice) mod 2048;
+      end if;
       slice7cost_pixels_first_0_0 <= slice7shift_search_0_0 - slice7shift_reference_0;
       slice7cost_pixels_first_0_1 <= slice7shift_search_0_1 - slice7shift_reference_0;
       slice7cost_pixels_first_0_2 <= slice7shift_search_0_2 - slice7shift_reference_0;
@@ -9745,9 +13745,12 @@ begin
       end if;
       -- slice7window
       if slice0winner4_tag_valid then
-        slice7window_ring_read_address <= 0 when slice7window_ring_read_address = 7 else
-          (slice7window_ring_read_address + 1) mod 8;
         slice7window_ring_write_address <= slice7window_ring_read_address;
+        if slice7window_ring_read_address = 7 then
+          slice7window_ring_read_address <= 0;
+        else
+          slice7window_ring_read_address <= (slice7window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice6window_change_tag_leaves_window then
         slice7window_change_0_0_choice := to_integer(slice7window_leaving_0(10 downto 0));
@@ -9924,31 +13927,131 @@ begin
       slice7window_change_0_22 <= slice7window_entering_0_22 - slice7window_change_0_22_choice;
       slice7window_change_0_23 <= slice7window_entering_0_23 - slice7window_change_0_23_choice;
       slice7window_change_0_24 <= slice7window_entering_0_24 - slice7window_change_0_24_choice;
-      slice7window_sum_0_0_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_0;
-      slice7window_sum_0_1_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_1;
-      slice7window_sum_0_2_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_2;
-      slice7window_sum_0_3_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_3;
-      slice7window_sum_0_4_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_4;
-      slice7window_sum_0_5_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_5;
-      slice7window_sum_0_6_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_6;
-      slice7window_sum_0_7_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_7;
-      slice7window_sum_0_8_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_8;
-      slice7window_sum_0_9_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_9;
-      slice7window_sum_0_10_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_10;
-      slice7window_sum_0_11_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_11;
-      slice7window_sum_0_12_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_12;
-      slice7window_sum_0_13_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_13;
-      slice7window_sum_0_14_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_14;
-      slice7window_sum_0_15_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_15;
-      slice7window_sum_0_16_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_16;
-      slice7window_sum_0_17_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_17;
-      slice7window_sum_0_18_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_18;
-      slice7window_sum_0_19_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_19;
-      slice7window_sum_0_20_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_20;
-      slice7window_sum_0_21_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_21;
-      slice7window_sum_0_22_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_22;
-      slice7window_sum_0_23_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_23;
-      slice7window_sum_0_24_choice := 0 when slice6window_centre_first_column_0 else slice7window_sum_0_24;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_0_choice := 0;
+      else
+        slice7window_sum_0_0_choice := slice7window_sum_0_0;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_1_choice := 0;
+      else
+        slice7window_sum_0_1_choice := slice7window_sum_0_1;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_2_choice := 0;
+      else
+        slice7window_sum_0_2_choice := slice7window_sum_0_2;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_3_choice := 0;
+      else
+        slice7window_sum_0_3_choice := slice7window_sum_0_3;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_4_choice := 0;
+      else
+        slice7window_sum_0_4_choice := slice7window_sum_0_4;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_5_choice := 0;
+      else
+        slice7window_sum_0_5_choice := slice7window_sum_0_5;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_6_choice := 0;
+      else
+        slice7window_sum_0_6_choice := slice7window_sum_0_6;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_7_choice := 0;
+      else
+        slice7window_sum_0_7_choice := slice7window_sum_0_7;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_8_choice := 0;
+      else
+        slice7window_sum_0_8_choice := slice7window_sum_0_8;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_9_choice := 0;
+      else
+        slice7window_sum_0_9_choice := slice7window_sum_0_9;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_10_choice := 0;
+      else
+        slice7window_sum_0_10_choice := slice7window_sum_0_10;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_11_choice := 0;
+      else
+        slice7window_sum_0_11_choice := slice7window_sum_0_11;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_12_choice := 0;
+      else
+        slice7window_sum_0_12_choice := slice7window_sum_0_12;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_13_choice := 0;
+      else
+        slice7window_sum_0_13_choice := slice7window_sum_0_13;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_14_choice := 0;
+      else
+        slice7window_sum_0_14_choice := slice7window_sum_0_14;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_15_choice := 0;
+      else
+        slice7window_sum_0_15_choice := slice7window_sum_0_15;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_16_choice := 0;
+      else
+        slice7window_sum_0_16_choice := slice7window_sum_0_16;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_17_choice := 0;
+      else
+        slice7window_sum_0_17_choice := slice7window_sum_0_17;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_18_choice := 0;
+      else
+        slice7window_sum_0_18_choice := slice7window_sum_0_18;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_19_choice := 0;
+      else
+        slice7window_sum_0_19_choice := slice7window_sum_0_19;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_20_choice := 0;
+      else
+        slice7window_sum_0_20_choice := slice7window_sum_0_20;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_21_choice := 0;
+      else
+        slice7window_sum_0_21_choice := slice7window_sum_0_21;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_22_choice := 0;
+      else
+        slice7window_sum_0_22_choice := slice7window_sum_0_22;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_23_choice := 0;
+      else
+        slice7window_sum_0_23_choice := slice7window_sum_0_23;
+      end if;
+      if slice6window_centre_first_column_0 then
+        slice7window_sum_0_24_choice := 0;
+      else
+        slice7window_sum_0_24_choice := slice7window_sum_0_24;
+      end if;
       if slice0_best_tag_valid then
         slice7window_sum_0_0 <= (slice7window_sum_0_0_choice + slice7window_change_0_0) mod 16384;
         slice7window_sum_0_1 <= (slice7window_sum_0_1_choice + slice7window_change_0_1) mod 16384;
@@ -9992,43 +14095,90 @@ begin
       slice7winner1_best_cost_0_9_is_less := (slice7window_sum_0_19 - slice7window_sum_0_18) < 0;
       slice7winner1_best_cost_0_10_is_less := (slice7window_sum_0_21 - slice7window_sum_0_20) < 0;
       slice7winner1_best_cost_0_11_is_less := (slice7window_sum_0_23 - slice7window_sum_0_22) < 0;
-      slice7winner1_best_cost_0_0 <= slice7window_sum_0_1 when slice7winner1_best_cost_0_0_is_less else
-        slice7window_sum_0_0;
-      slice7winner1_best_cost_0_1 <= slice7window_sum_0_3 when slice7winner1_best_cost_0_1_is_less else
-        slice7window_sum_0_2;
-      slice7winner1_best_cost_0_2 <= slice7window_sum_0_5 when slice7winner1_best_cost_0_2_is_less else
-        slice7window_sum_0_4;
-      slice7winner1_best_cost_0_3 <= slice7window_sum_0_7 when slice7winner1_best_cost_0_3_is_less else
-        slice7window_sum_0_6;
-      slice7winner1_best_cost_0_4 <= slice7window_sum_0_9 when slice7winner1_best_cost_0_4_is_less else
-        slice7window_sum_0_8;
-      slice7winner1_best_cost_0_5 <= slice7window_sum_0_11 when slice7winner1_best_cost_0_5_is_less else
-        slice7window_sum_0_10;
-      slice7winner1_best_cost_0_6 <= slice7window_sum_0_13 when slice7winner1_best_cost_0_6_is_less else
-        slice7window_sum_0_12;
-      slice7winner1_best_cost_0_7 <= slice7window_sum_0_15 when slice7winner1_best_cost_0_7_is_less else
-        slice7window_sum_0_14;
-      slice7winner1_best_cost_0_8 <= slice7window_sum_0_17 when slice7winner1_best_cost_0_8_is_less else
-        slice7window_sum_0_16;
-      slice7winner1_best_cost_0_9 <= slice7window_sum_0_19 when slice7winner1_best_cost_0_9_is_less else
-        slice7window_sum_0_18;
-      slice7winner1_best_cost_0_10 <= slice7window_sum_0_21 when slice7winner1_best_cost_0_10_is_less else
-        slice7window_sum_0_20;
-      slice7winner1_best_cost_0_11 <= slice7window_sum_0_23 when slice7winner1_best_cost_0_11_is_less else
-        slice7window_sum_0_22;
       slice7winner1_best_cost_0_12 <= slice7window_sum_0_24;
       slice7winner1_best_index_0_0 <= slice7winner1_best_cost_0_0_is_less;
-      slice7winner1_best_index_0_1 <= 3 when slice7winner1_best_cost_0_1_is_less else 2;
-      slice7winner1_best_index_0_2 <= 5 when slice7winner1_best_cost_0_2_is_less else 4;
-      slice7winner1_best_index_0_3 <= 7 when slice7winner1_best_cost_0_3_is_less else 6;
-      slice7winner1_best_index_0_4 <= 9 when slice7winner1_best_cost_0_4_is_less else 8;
-      slice7winner1_best_index_0_5 <= 11 when slice7winner1_best_cost_0_5_is_less else 10;
-      slice7winner1_best_index_0_6 <= 13 when slice7winner1_best_cost_0_6_is_less else 12;
-      slice7winner1_best_index_0_7 <= 15 when slice7winner1_best_cost_0_7_is_less else 14;
-      slice7winner1_best_index_0_8 <= 17 when slice7winner1_best_cost_0_8_is_less else 16;
-      slice7winner1_best_index_0_9 <= 19 when slice7winner1_best_cost_0_9_is_less else 18;
-      slice7winner1_best_index_0_10 <= 21 when slice7winner1_best_cost_0_10_is_less else 20;
-      slice7winner1_best_index_0_11 <= 23 when slice7winner1_best_cost_0_11_is_less else 22;
+      if slice7winner1_best_cost_0_0_is_less then
+        slice7winner1_best_cost_0_0 <= slice7window_sum_0_1;
+      else
+        slice7winner1_best_cost_0_0 <= slice7window_sum_0_0;
+      end if;
+      if slice7winner1_best_cost_0_1_is_less then
+        slice7winner1_best_cost_0_1 <= slice7window_sum_0_3;
+        slice7winner1_best_index_0_1 <= 3;
+      else
+        slice7winner1_best_cost_0_1 <= slice7window_sum_0_2;
+        slice7winner1_best_index_0_1 <= 2;
+      end if;
+      if slice7winner1_best_cost_0_2_is_less then
+        slice7winner1_best_cost_0_2 <= slice7window_sum_0_5;
+        slice7winner1_best_index_0_2 <= 5;
+      else
+        slice7winner1_best_cost_0_2 <= slice7window_sum_0_4;
+        slice7winner1_best_index_0_2 <= 4;
+      end if;
+      if slice7winner1_best_cost_0_3_is_less then
+        slice7winner1_best_cost_0_3 <= slice7window_sum_0_7;
+        slice7winner1_best_index_0_3 <= 7;
+      else
+        slice7winner1_best_cost_0_3 <= slice7window_sum_0_6;
+        slice7winner1_best_index_0_3 <= 6;
+      end if;
+      if slice7winner1_best_cost_0_4_is_less then
+        slice7winner1_best_cost_0_4 <= slice7window_sum_0_9;
+        slice7winner1_best_index_0_4 <= 9;
+      else
+        slice7winner1_best_cost_0_4 <= slice7window_sum_0_8;
+        slice7winner1_best_index_0_4 <= 8;
+      end if;
+      if slice7winner1_best_cost_0_5_is_less then
+        slice7winner1_best_cost_0_5 <= slice7window_sum_0_11;
+        slice7winner1_best_index_0_5 <= 11;
+      else
+        slice7winner1_best_cost_0_5 <= slice7window_sum_0_10;
+        slice7winner1_best_index_0_5 <= 10;
+      end if;
+      if slice7winner1_best_cost_0_6_is_less then
+        slice7winner1_best_cost_0_6 <= slice7window_sum_0_13;
+        slice7winner1_best_index_0_6 <= 13;
+      else
+        slice7winner1_best_cost_0_6 <= slice7window_sum_0_12;
+        slice7winner1_best_index_0_6 <= 12;
+      end if;
+      if slice7winner1_best_cost_0_7_is_less then
+        slice7winner1_best_cost_0_7 <= slice7window_sum_0_15;
+        slice7winner1_best_index_0_7 <= 15;
+      else
+        slice7winner1_best_cost_0_7 <= slice7window_sum_0_14;
+        slice7winner1_best_index_0_7 <= 14;
+      end if;
+      if slice7winner1_best_cost_0_8_is_less then
+        slice7winner1_best_cost_0_8 <= slice7window_sum_0_17;
+        slice7winner1_best_index_0_8 <= 17;
+      else
+        slice7winner1_best_cost_0_8 <= slice7window_sum_0_16;
+        slice7winner1_best_index_0_8 <= 16;
+      end if;
+      if slice7winner1_best_cost_0_9_is_less then
+        slice7winner1_best_cost_0_9 <= slice7window_sum_0_19;
+        slice7winner1_best_index_0_9 <= 19;
+      else
+        slice7winner1_best_cost_0_9 <= slice7window_sum_0_18;
+        slice7winner1_best_index_0_9 <= 18;
+      end if;
+      if slice7winner1_best_cost_0_10_is_less then
+        slice7winner1_best_cost_0_10 <= slice7window_sum_0_21;
+        slice7winner1_best_index_0_10 <= 21;
+      else
+        slice7winner1_best_cost_0_10 <= slice7window_sum_0_20;
+        slice7winner1_best_index_0_10 <= 20;
+      end if;
+      if slice7winner1_best_cost_0_11_is_less then
+        slice7winner1_best_cost_0_11 <= slice7window_sum_0_23;
+        slice7winner1_best_index_0_11 <= 23;
+      else
+        slice7winner1_best_cost_0_11 <= slice7window_sum_0_22;
+        slice7winner1_best_index_0_11 <= 22;
+      end if;
       -- slice7winner2
       slice7winner2_best_cost_0_0_is_less := (slice7winner1_best_cost_0_1 - slice7winner1_best_cost_0_0) < 0;
       slice7winner2_best_cost_0_1_is_less := (slice7winner1_best_cost_0_3 - slice7winner1_best_cost_0_2) < 0;
@@ -10036,72 +14186,111 @@ begin
       slice7winner2_best_cost_0_3_is_less := (slice7winner1_best_cost_0_7 - slice7winner1_best_cost_0_6) < 0;
       slice7winner2_best_cost_0_4_is_less := (slice7winner1_best_cost_0_9 - slice7winner1_best_cost_0_8) < 0;
       slice7winner2_best_cost_0_5_is_less := (slice7winner1_best_cost_0_11 - slice7winner1_best_cost_0_10) < 0;
-      slice7winner2_best_cost_0_0 <= slice7winner1_best_cost_0_1 when slice7winner2_best_cost_0_0_is_less else
-        slice7winner1_best_cost_0_0;
-      slice7winner2_best_cost_0_1 <= slice7winner1_best_cost_0_3 when slice7winner2_best_cost_0_1_is_less else
-        slice7winner1_best_cost_0_2;
-      slice7winner2_best_cost_0_2 <= slice7winner1_best_cost_0_5 when slice7winner2_best_cost_0_2_is_less else
-        slice7winner1_best_cost_0_4;
-      slice7winner2_best_cost_0_3 <= slice7winner1_best_cost_0_7 when slice7winner2_best_cost_0_3_is_less else
-        slice7winner1_best_cost_0_6;
-      slice7winner2_best_cost_0_4 <= slice7winner1_best_cost_0_9 when slice7winner2_best_cost_0_4_is_less else
-        slice7winner1_best_cost_0_8;
-      slice7winner2_best_cost_0_5 <= slice7winner1_best_cost_0_11 when slice7winner2_best_cost_0_5_is_less else
-        slice7winner1_best_cost_0_10;
       slice7winner2_best_cost_0_6 <= slice7winner1_best_cost_0_12;
-      slice7winner2_best_index_0_0 <= slice7winner1_best_index_0_1 when slice7winner2_best_cost_0_0_is_less else
-        as_number(slice7winner1_best_index_0_0);
-      slice7winner2_best_index_0_1 <= slice7winner1_best_index_0_3 when slice7winner2_best_cost_0_1_is_less else
-        slice7winner1_best_index_0_2;
-      slice7winner2_best_index_0_2 <= slice7winner1_best_index_0_5 when slice7winner2_best_cost_0_2_is_less else
-        slice7winner1_best_index_0_4;
-      slice7winner2_best_index_0_3 <= slice7winner1_best_index_0_7 when slice7winner2_best_cost_0_3_is_less else
-        slice7winner1_best_index_0_6;
-      slice7winner2_best_index_0_4 <= slice7winner1_best_index_0_9 when slice7winner2_best_cost_0_4_is_less else
-        slice7winner1_best_index_0_8;
-      slice7winner2_best_index_0_5 <= slice7winner1_best_index_0_11 when slice7winner2_best_cost_0_5_is_less else
-        slice7winner1_best_index_0_10;
+      if slice7winner2_best_cost_0_0_is_less then
+        slice7winner2_best_cost_0_0 <= slice7winner1_best_cost_0_1;
+        slice7winner2_best_index_0_0 <= slice7winner1_best_index_0_1;
+      else
+        slice7winner2_best_cost_0_0 <= slice7winner1_best_cost_0_0;
+        slice7winner2_best_index_0_0 <= as_number(slice7winner1_best_index_0_0);
+      end if;
+      if slice7winner2_best_cost_0_1_is_less then
+        slice7winner2_best_cost_0_1 <= slice7winner1_best_cost_0_3;
+        slice7winner2_best_index_0_1 <= slice7winner1_best_index_0_3;
+      else
+        slice7winner2_best_cost_0_1 <= slice7winner1_best_cost_0_2;
+        slice7winner2_best_index_0_1 <= slice7winner1_best_index_0_2;
+      end if;
+      if slice7winner2_best_cost_0_2_is_less then
+        slice7winner2_best_cost_0_2 <= slice7winner1_best_cost_0_5;
+        slice7winner2_best_index_0_2 <= slice7winner1_best_index_0_5;
+      else
+        slice7winner2_best_cost_0_2 <= slice7winner1_best_cost_0_4;
+        slice7winner2_best_index_0_2 <= slice7winner1_best_index_0_4;
+      end if;
+      if slice7winner2_best_cost_0_3_is_less then
+        slice7winner2_best_cost_0_3 <= slice7winner1_best_cost_0_7;
+        slice7winner2_best_index_0_3 <= slice7winner1_best_index_0_7;
+      else
+        slice7winner2_best_cost_0_3 <= slice7winner1_best_cost_0_6;
+        slice7winner2_best_index_0_3 <= slice7winner1_best_index_0_6;
+      end if;
+      if slice7winner2_best_cost_0_4_is_less then
+        slice7winner2_best_cost_0_4 <= slice7winner1_best_cost_0_9;
+        slice7winner2_best_index_0_4 <= slice7winner1_best_index_0_9;
+      else
+        slice7winner2_best_cost_0_4 <= slice7winner1_best_cost_0_8;
+        slice7winner2_best_index_0_4 <= slice7winner1_best_index_0_8;
+      end if;
+      if slice7winner2_best_cost_0_5_is_less then
+        slice7winner2_best_cost_0_5 <= slice7winner1_best_cost_0_11;
+        slice7winner2_best_index_0_5 <= slice7winner1_best_index_0_11;
+      else
+        slice7winner2_best_cost_0_5 <= slice7winner1_best_cost_0_10;
+        slice7winner2_best_index_0_5 <= slice7winner1_best_index_0_10;
+      end if;
       -- slice7winner3
       slice7winner3_best_cost_0_0_is_less := (slice7winner2_best_cost_0_1 - slice7winner2_best_cost_0_0) < 0;
       slice7winner3_best_cost_0_1_is_less := (slice7winner2_best_cost_0_3 - slice7winner2_best_cost_0_2) < 0;
       slice7winner3_best_cost_0_2_is_less := (slice7winner2_best_cost_0_5 - slice7winner2_best_cost_0_4) < 0;
-      slice7winner3_best_cost_0_0 <= slice7winner2_best_cost_0_1 when slice7winner3_best_cost_0_0_is_less else
-        slice7winner2_best_cost_0_0;
-      slice7winner3_best_cost_0_1 <= slice7winner2_best_cost_0_3 when slice7winner3_best_cost_0_1_is_less else
-        slice7winner2_best_cost_0_2;
-      slice7winner3_best_cost_0_2 <= slice7winner2_best_cost_0_5 when slice7winner3_best_cost_0_2_is_less else
-        slice7winner2_best_cost_0_4;
       slice7winner3_best_cost_0_3 <= slice7winner2_best_cost_0_6;
-      slice7winner3_best_index_0_0 <= slice7winner2_best_index_0_1 when slice7winner3_best_cost_0_0_is_less else
-        slice7winner2_best_index_0_0;
-      slice7winner3_best_index_0_1 <= slice7winner2_best_index_0_3 when slice7winner3_best_cost_0_1_is_less else
-        slice7winner2_best_index_0_2;
-      slice7winner3_best_index_0_2 <= slice7winner2_best_index_0_5 when slice7winner3_best_cost_0_2_is_less else
-        slice7winner2_best_index_0_4;
+      if slice7winner3_best_cost_0_0_is_less then
+        slice7winner3_best_cost_0_0 <= slice7winner2_best_cost_0_1;
+        slice7winner3_best_index_0_0 <= slice7winner2_best_index_0_1;
+      else
+        slice7winner3_best_cost_0_0 <= slice7winner2_best_cost_0_0;
+        slice7winner3_best_index_0_0 <= slice7winner2_best_index_0_0;
+      end if;
+      if slice7winner3_best_cost_0_1_is_less then
+        slice7winner3_best_cost_0_1 <= slice7winner2_best_cost_0_3;
+        slice7winner3_best_index_0_1 <= slice7winner2_best_index_0_3;
+      else
+        slice7winner3_best_cost_0_1 <= slice7winner2_best_cost_0_2;
+        slice7winner3_best_index_0_1 <= slice7winner2_best_index_0_2;
+      end if;
+      if slice7winner3_best_cost_0_2_is_less then
+        slice7winner3_best_cost_0_2 <= slice7winner2_best_cost_0_5;
+        slice7winner3_best_index_0_2 <= slice7winner2_best_index_0_5;
+      else
+        slice7winner3_best_cost_0_2 <= slice7winner2_best_cost_0_4;
+        slice7winner3_best_index_0_2 <= slice7winner2_best_index_0_4;
+      end if;
       -- slice7winner4
       slice7winner4_best_cost_0_0_is_less := (slice7winner3_best_cost_0_1 - slice7winner3_best_cost_0_0) < 0;
       slice7winner4_best_cost_0_1_is_less := (slice7winner3_best_cost_0_3 - slice7winner3_best_cost_0_2) < 0;
-      slice7winner4_best_cost_0_0 <= slice7winner3_best_cost_0_1 when slice7winner4_best_cost_0_0_is_less else
-        slice7winner3_best_cost_0_0;
-      slice7winner4_best_cost_0_1 <= slice7winner3_best_cost_0_3 when slice7winner4_best_cost_0_1_is_less else
-        slice7winner3_best_cost_0_2;
-      slice7winner4_best_index_0_0 <= slice7winner3_best_index_0_1 when slice7winner4_best_cost_0_0_is_less else
-        slice7winner3_best_index_0_0;
-      slice7winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice7winner4_best_cost_0_1_is_less else
-        slice7winner3_best_index_0_2;
+      if slice7winner4_best_cost_0_0_is_less then
+        slice7winner4_best_cost_0_0 <= slice7winner3_best_cost_0_1;
+        slice7winner4_best_index_0_0 <= slice7winner3_best_index_0_1;
+      else
+        slice7winner4_best_cost_0_0 <= slice7winner3_best_cost_0_0;
+        slice7winner4_best_index_0_0 <= slice7winner3_best_index_0_0;
+      end if;
+      if slice7winner4_best_cost_0_1_is_less then
+        slice7winner4_best_cost_0_1 <= slice7winner3_best_cost_0_3;
+        slice7winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice7winner4_best_cost_0_1 <= slice7winner3_best_cost_0_2;
+        slice7winner4_best_index_0_1 <= slice7winner3_best_index_0_2;
+      end if;
       -- slice7winner5
       slice7winner5_best_cost_0_0_is_less := (slice7winner4_best_cost_0_1 - slice7winner4_best_cost_0_0) < 0;
-      slice7winner5_best_cost_0_0 <= slice7winner4_best_cost_0_1 when slice7winner5_best_cost_0_0_is_less else
-        slice7winner4_best_cost_0_0;
-      slice7winner5_best_index_0_0 <= slice7winner4_best_index_0_1 when slice7winner5_best_cost_0_0_is_less else
-        slice7winner4_best_index_0_0;
+      if slice7winner5_best_cost_0_0_is_less then
+        slice7winner5_best_cost_0_0 <= slice7winner4_best_cost_0_1;
+        slice7winner5_best_index_0_0 <= slice7winner4_best_index_0_1;
+      else
+        slice7winner5_best_cost_0_0 <= slice7winner4_best_cost_0_0;
+        slice7winner5_best_index_0_0 <= slice7winner4_best_index_0_0;
+      end if;
       -- slice7
-      slice7_best_index_0_0 <= slice6_best_index_0_0 when (slice6_best_cost_0_0 - slice7winner5_best_cost_0_0) < 0 else
-        slice7winner5_best_index_0_0;
       slice7_best_tag_valid <= slice6_best_tag_valid;
       slice7_best_tag_output_column <= slice6_best_tag_output_column;
       slice7_best_tag_start_of_frame <= slice6_best_tag_start_of_frame;
       slice7_best_tag_end_of_line <= slice6_best_tag_end_of_line;
+      if (slice6_best_cost_0_0 - slice7winner5_best_cost_0_0) < 0 then
+        slice7_best_index_0_0 <= slice6_best_index_0_0;
+      else
+        slice7_best_index_0_0 <= slice7winner5_best_index_0_0;
+      end if;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;

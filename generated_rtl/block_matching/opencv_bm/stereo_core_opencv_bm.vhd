@@ -978,557 +978,917 @@ architecture rtl of stereo_core_opencv_bm is
   signal other_10 : natural range 0 to 224;
   signal other_11 : natural range 0 to 192;
   signal other_12 : natural range 0 to 128;
+  signal texturewindow_leaving_0_memory_read_enable : boolean;
+  signal texturewindow_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal texturewindow_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal texturewindow_leaving_0_memory_write_data : unsigned(9 downto 0);
+  signal texturecost_read_words_0_memory_read_enable : boolean;
+  signal texturecost_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal texturecost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal texturecost_read_words_0_memory_write_data : unsigned(9 downto 0);
+  signal slice3window_leaving_5_memory_read_enable : boolean;
+  signal slice3window_leaving_5_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_5_memory_write_data : unsigned(9 downto 0);
+  signal slice3window_leaving_4_memory_read_enable : boolean;
+  signal slice3window_leaving_4_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_4_memory_write_data : unsigned(29 downto 0);
+  signal slice3window_leaving_3_memory_read_enable : boolean;
+  signal slice3window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_3_memory_write_data : unsigned(29 downto 0);
+  signal slice3window_leaving_2_memory_read_enable : boolean;
+  signal slice3window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_2_memory_write_data : unsigned(29 downto 0);
+  signal slice3window_leaving_1_memory_read_enable : boolean;
+  signal slice3window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_1_memory_write_data : unsigned(29 downto 0);
+  signal slice3window_leaving_0_memory_read_enable : boolean;
+  signal slice3window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice3window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice3window_leaving_0_memory_write_data : unsigned(29 downto 0);
+  signal slice3cost_read_words_5_memory_read_enable : boolean;
+  signal slice3cost_read_words_5_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_read_words_5_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_5_memory_write_data : unsigned(9 downto 0);
+  signal slice3cost_read_words_4_memory_read_enable : boolean;
+  signal slice3cost_read_words_4_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_read_words_4_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_4_memory_write_data : unsigned(29 downto 0);
+  signal slice3cost_read_words_3_memory_read_enable : boolean;
+  signal slice3cost_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_3_memory_write_data : unsigned(29 downto 0);
+  signal slice3cost_read_words_2_memory_read_enable : boolean;
+  signal slice3cost_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_2_memory_write_data : unsigned(29 downto 0);
+  signal slice3cost_read_words_1_memory_read_enable : boolean;
+  signal slice3cost_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_1_memory_write_data : unsigned(29 downto 0);
+  signal slice3cost_read_words_0_memory_read_enable : boolean;
+  signal slice3cost_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice3cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice3cost_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal slice2window_leaving_5_memory_read_enable : boolean;
+  signal slice2window_leaving_5_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_5_memory_write_data : unsigned(9 downto 0);
+  signal slice2window_leaving_4_memory_read_enable : boolean;
+  signal slice2window_leaving_4_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_4_memory_write_data : unsigned(29 downto 0);
+  signal slice2window_leaving_3_memory_read_enable : boolean;
+  signal slice2window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_3_memory_write_data : unsigned(29 downto 0);
+  signal slice2window_leaving_2_memory_read_enable : boolean;
+  signal slice2window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_2_memory_write_data : unsigned(29 downto 0);
+  signal slice2window_leaving_1_memory_read_enable : boolean;
+  signal slice2window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_1_memory_write_data : unsigned(29 downto 0);
+  signal slice2window_leaving_0_memory_read_enable : boolean;
+  signal slice2window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_0_memory_write_data : unsigned(29 downto 0);
+  signal slice2cost_read_words_5_memory_read_enable : boolean;
+  signal slice2cost_read_words_5_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_5_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_5_memory_write_data : unsigned(9 downto 0);
+  signal slice2cost_read_words_4_memory_read_enable : boolean;
+  signal slice2cost_read_words_4_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_4_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_4_memory_write_data : unsigned(29 downto 0);
+  signal slice2cost_read_words_3_memory_read_enable : boolean;
+  signal slice2cost_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_3_memory_write_data : unsigned(29 downto 0);
+  signal slice2cost_read_words_2_memory_read_enable : boolean;
+  signal slice2cost_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_2_memory_write_data : unsigned(29 downto 0);
+  signal slice2cost_read_words_1_memory_read_enable : boolean;
+  signal slice2cost_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_1_memory_write_data : unsigned(29 downto 0);
+  signal slice2cost_read_words_0_memory_read_enable : boolean;
+  signal slice2cost_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice2cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice2cost_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal slice1window_leaving_5_memory_read_enable : boolean;
+  signal slice1window_leaving_5_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_5_memory_write_data : unsigned(9 downto 0);
+  signal slice1window_leaving_4_memory_read_enable : boolean;
+  signal slice1window_leaving_4_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_4_memory_write_data : unsigned(29 downto 0);
+  signal slice1window_leaving_3_memory_read_enable : boolean;
+  signal slice1window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_3_memory_write_data : unsigned(29 downto 0);
+  signal slice1window_leaving_2_memory_read_enable : boolean;
+  signal slice1window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_2_memory_write_data : unsigned(29 downto 0);
+  signal slice1window_leaving_1_memory_read_enable : boolean;
+  signal slice1window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_1_memory_write_data : unsigned(29 downto 0);
+  signal slice1window_leaving_0_memory_read_enable : boolean;
+  signal slice1window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(29 downto 0);
+  signal slice1cost_read_words_5_memory_read_enable : boolean;
+  signal slice1cost_read_words_5_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_5_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_5_memory_write_data : unsigned(9 downto 0);
+  signal slice1cost_read_words_4_memory_read_enable : boolean;
+  signal slice1cost_read_words_4_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_4_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_4_memory_write_data : unsigned(29 downto 0);
+  signal slice1cost_read_words_3_memory_read_enable : boolean;
+  signal slice1cost_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_3_memory_write_data : unsigned(29 downto 0);
+  signal slice1cost_read_words_2_memory_read_enable : boolean;
+  signal slice1cost_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_2_memory_write_data : unsigned(29 downto 0);
+  signal slice1cost_read_words_1_memory_read_enable : boolean;
+  signal slice1cost_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_1_memory_write_data : unsigned(29 downto 0);
+  signal slice1cost_read_words_0_memory_read_enable : boolean;
+  signal slice1cost_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal slice0window_leaving_5_memory_read_enable : boolean;
+  signal slice0window_leaving_5_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_5_memory_write_data : unsigned(9 downto 0);
+  signal slice0window_leaving_4_memory_read_enable : boolean;
+  signal slice0window_leaving_4_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_4_memory_write_data : unsigned(29 downto 0);
+  signal slice0window_leaving_3_memory_read_enable : boolean;
+  signal slice0window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_3_memory_write_data : unsigned(29 downto 0);
+  signal slice0window_leaving_2_memory_read_enable : boolean;
+  signal slice0window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_2_memory_write_data : unsigned(29 downto 0);
+  signal slice0window_leaving_1_memory_read_enable : boolean;
+  signal slice0window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_1_memory_write_data : unsigned(29 downto 0);
+  signal slice0window_leaving_0_memory_read_enable : boolean;
+  signal slice0window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(29 downto 0);
+  signal slice0cost_read_words_5_memory_read_enable : boolean;
+  signal slice0cost_read_words_5_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_5_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_5_memory_write_data : unsigned(9 downto 0);
+  signal slice0cost_read_words_4_memory_read_enable : boolean;
+  signal slice0cost_read_words_4_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_4_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_4_memory_write_data : unsigned(29 downto 0);
+  signal slice0cost_read_words_3_memory_read_enable : boolean;
+  signal slice0cost_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_3_memory_write_data : unsigned(29 downto 0);
+  signal slice0cost_read_words_2_memory_read_enable : boolean;
+  signal slice0cost_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_2_memory_write_data : unsigned(29 downto 0);
+  signal slice0cost_read_words_1_memory_read_enable : boolean;
+  signal slice0cost_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_1_memory_write_data : unsigned(29 downto 0);
+  signal slice0cost_read_words_0_memory_read_enable : boolean;
+  signal slice0cost_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal rows_search_rows_read_words_3_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_3_memory_write_data : unsigned(20 downto 0);
+  signal rows_search_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_2_memory_write_data : unsigned(27 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(27 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal rows_reference_rows_read_words_3_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_3_memory_write_data : unsigned(20 downto 0);
+  signal rows_reference_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_2_memory_write_data : unsigned(27 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(27 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  texturewindow_leaving_0_memory_read_enable <= true;
+  texturewindow_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  texturewindow_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   texturewindow_leaving_0_memory_write_data <= to_unsigned(texturecost_column_0_0, 10);
   texturewindow_leaving_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 10)
+    generic map (depth => 16, width => 10, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => texturewindow_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => texturewindow_leaving_0_memory_write_data);
+      clock => clock, read_enable => texturewindow_leaving_0_memory_read_enable,
+      read_address => texturewindow_leaving_0_memory_read_address, read_data => texturewindow_leaving_0,
+      write_address => texturewindow_leaving_0_memory_write_address, write_data => texturewindow_leaving_0_memory_write_data);
 
+  texturecost_read_words_0_memory_read_enable <= true;
+  texturecost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  texturecost_read_words_0_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
   texturecost_read_words_0_memory_write_data <= to_unsigned(texturecost_write_words_0, 10);
   texturecost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 10)
+    generic map (depth => 450, width => 10, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => texturecost_read_words_0,
-      write_address => slice1cost_ready_column, write_data => texturecost_read_words_0_memory_write_data);
+      clock => clock, read_enable => texturecost_read_words_0_memory_read_enable,
+      read_address => texturecost_read_words_0_memory_read_address, read_data => texturecost_read_words_0,
+      write_address => texturecost_read_words_0_memory_write_address, write_data => texturecost_read_words_0_memory_write_data);
 
+  slice3window_leaving_5_memory_read_enable <= true;
+  slice3window_leaving_5_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_5_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_5_memory_write_data <= to_unsigned(slice3cost_column_0_15, 10);
   slice3window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 16, width => 10)
+    generic map (depth => 16, width => 10, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_5,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_5_memory_read_enable,
+      read_address => slice3window_leaving_5_memory_read_address, read_data => slice3window_leaving_5,
+      write_address => slice3window_leaving_5_memory_write_address, write_data => slice3window_leaving_5_memory_write_data);
 
+  slice3window_leaving_4_memory_read_enable <= true;
+  slice3window_leaving_4_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_4_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_4_memory_write_data <= to_unsigned(slice3cost_column_0_14, 10) & to_unsigned(slice3cost_column_0_13, 10) & to_unsigned(slice3cost_column_0_12, 10);
   slice3window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_4,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_4_memory_read_enable,
+      read_address => slice3window_leaving_4_memory_read_address, read_data => slice3window_leaving_4,
+      write_address => slice3window_leaving_4_memory_write_address, write_data => slice3window_leaving_4_memory_write_data);
 
+  slice3window_leaving_3_memory_read_enable <= true;
+  slice3window_leaving_3_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_3_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_3_memory_write_data <= to_unsigned(slice3cost_column_0_11, 10) & to_unsigned(slice3cost_column_0_10, 10) & to_unsigned(slice3cost_column_0_9, 10);
   slice3window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_3,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_3_memory_read_enable,
+      read_address => slice3window_leaving_3_memory_read_address, read_data => slice3window_leaving_3,
+      write_address => slice3window_leaving_3_memory_write_address, write_data => slice3window_leaving_3_memory_write_data);
 
+  slice3window_leaving_2_memory_read_enable <= true;
+  slice3window_leaving_2_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_2_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_2_memory_write_data <= to_unsigned(slice3cost_column_0_8, 10) & to_unsigned(slice3cost_column_0_7, 10) & to_unsigned(slice3cost_column_0_6, 10);
   slice3window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_2,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_2_memory_read_enable,
+      read_address => slice3window_leaving_2_memory_read_address, read_data => slice3window_leaving_2,
+      write_address => slice3window_leaving_2_memory_write_address, write_data => slice3window_leaving_2_memory_write_data);
 
+  slice3window_leaving_1_memory_read_enable <= true;
+  slice3window_leaving_1_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_1_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_1_memory_write_data <= to_unsigned(slice3cost_column_0_5, 10) & to_unsigned(slice3cost_column_0_4, 10) & to_unsigned(slice3cost_column_0_3, 10);
   slice3window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_1,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_1_memory_read_enable,
+      read_address => slice3window_leaving_1_memory_read_address, read_data => slice3window_leaving_1,
+      write_address => slice3window_leaving_1_memory_write_address, write_data => slice3window_leaving_1_memory_write_data);
 
+  slice3window_leaving_0_memory_read_enable <= true;
+  slice3window_leaving_0_memory_read_address <= to_unsigned(slice3window_ring_read_address, 4);
+  slice3window_leaving_0_memory_write_address <= to_unsigned(slice3window_ring_write_address, 4);
   slice3window_leaving_0_memory_write_data <= to_unsigned(slice3cost_column_0_2, 10) & to_unsigned(slice3cost_column_0_1, 10) & to_unsigned(slice3cost_column_0_0, 10);
   slice3window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice3window_ring_read_address, read_data => slice3window_leaving_0,
-      write_address => slice3window_ring_write_address, write_data => slice3window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice3window_leaving_0_memory_read_enable,
+      read_address => slice3window_leaving_0_memory_read_address, read_data => slice3window_leaving_0,
+      write_address => slice3window_leaving_0_memory_write_address, write_data => slice3window_leaving_0_memory_write_data);
 
+  slice3cost_read_words_5_memory_read_enable <= true;
+  slice3cost_read_words_5_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
+  slice3cost_read_words_5_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
   slice3cost_read_words_5_memory_write_data <= to_unsigned(slice3cost_write_words_5, 10);
   slice3cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 450, width => 10)
+    generic map (depth => 450, width => 10, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_change_column, read_data => slice3cost_read_words_5,
-      write_address => slice3cost_write_column, write_data => slice3cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_5_memory_read_enable,
+      read_address => slice3cost_read_words_5_memory_read_address, read_data => slice3cost_read_words_5,
+      write_address => slice3cost_read_words_5_memory_write_address, write_data => slice3cost_read_words_5_memory_write_data);
 
+  slice3cost_read_words_4_memory_read_enable <= true;
+  slice3cost_read_words_4_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
+  slice3cost_read_words_4_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
   slice3cost_read_words_4_memory_write_data <= to_unsigned(slice3cost_write_words_4, 30);
   slice3cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_change_column, read_data => slice3cost_read_words_4,
-      write_address => slice3cost_write_column, write_data => slice3cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_4_memory_read_enable,
+      read_address => slice3cost_read_words_4_memory_read_address, read_data => slice3cost_read_words_4,
+      write_address => slice3cost_read_words_4_memory_write_address, write_data => slice3cost_read_words_4_memory_write_data);
 
+  slice3cost_read_words_3_memory_read_enable <= true;
+  slice3cost_read_words_3_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
+  slice3cost_read_words_3_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
   slice3cost_read_words_3_memory_write_data <= to_unsigned(slice3cost_write_words_3, 30);
   slice3cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_change_column, read_data => slice3cost_read_words_3,
-      write_address => slice3cost_write_column, write_data => slice3cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_3_memory_read_enable,
+      read_address => slice3cost_read_words_3_memory_read_address, read_data => slice3cost_read_words_3,
+      write_address => slice3cost_read_words_3_memory_write_address, write_data => slice3cost_read_words_3_memory_write_data);
 
+  slice3cost_read_words_2_memory_read_enable <= true;
+  slice3cost_read_words_2_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
+  slice3cost_read_words_2_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
   slice3cost_read_words_2_memory_write_data <= to_unsigned(slice3cost_write_words_2, 30);
   slice3cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_change_column, read_data => slice3cost_read_words_2,
-      write_address => slice3cost_write_column, write_data => slice3cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_2_memory_read_enable,
+      read_address => slice3cost_read_words_2_memory_read_address, read_data => slice3cost_read_words_2,
+      write_address => slice3cost_read_words_2_memory_write_address, write_data => slice3cost_read_words_2_memory_write_data);
 
+  slice3cost_read_words_1_memory_read_enable <= true;
+  slice3cost_read_words_1_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
+  slice3cost_read_words_1_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
   slice3cost_read_words_1_memory_write_data <= to_unsigned(slice3cost_write_words_1, 30);
   slice3cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_change_column, read_data => slice3cost_read_words_1,
-      write_address => slice3cost_write_column, write_data => slice3cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_1_memory_read_enable,
+      read_address => slice3cost_read_words_1_memory_read_address, read_data => slice3cost_read_words_1,
+      write_address => slice3cost_read_words_1_memory_write_address, write_data => slice3cost_read_words_1_memory_write_data);
 
+  slice3cost_read_words_0_memory_read_enable <= true;
+  slice3cost_read_words_0_memory_read_address <= to_unsigned(slice2cost_change_column, 9);
+  slice3cost_read_words_0_memory_write_address <= to_unsigned(slice3cost_write_column, 9);
   slice3cost_read_words_0_memory_write_data <= to_unsigned(slice3cost_write_words_0, 30);
   slice3cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_change_column, read_data => slice3cost_read_words_0,
-      write_address => slice3cost_write_column, write_data => slice3cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice3cost_read_words_0_memory_read_enable,
+      read_address => slice3cost_read_words_0_memory_read_address, read_data => slice3cost_read_words_0,
+      write_address => slice3cost_read_words_0_memory_write_address, write_data => slice3cost_read_words_0_memory_write_data);
 
+  slice2window_leaving_5_memory_read_enable <= true;
+  slice2window_leaving_5_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_5_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_5_memory_write_data <= to_unsigned(slice2cost_column_0_15, 10);
   slice2window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 16, width => 10)
+    generic map (depth => 16, width => 10, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_5,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_5_memory_read_enable,
+      read_address => slice2window_leaving_5_memory_read_address, read_data => slice2window_leaving_5,
+      write_address => slice2window_leaving_5_memory_write_address, write_data => slice2window_leaving_5_memory_write_data);
 
+  slice2window_leaving_4_memory_read_enable <= true;
+  slice2window_leaving_4_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_4_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_4_memory_write_data <= to_unsigned(slice2cost_column_0_14, 10) & to_unsigned(slice2cost_column_0_13, 10) & to_unsigned(slice2cost_column_0_12, 10);
   slice2window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_4,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_4_memory_read_enable,
+      read_address => slice2window_leaving_4_memory_read_address, read_data => slice2window_leaving_4,
+      write_address => slice2window_leaving_4_memory_write_address, write_data => slice2window_leaving_4_memory_write_data);
 
+  slice2window_leaving_3_memory_read_enable <= true;
+  slice2window_leaving_3_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_3_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_3_memory_write_data <= to_unsigned(slice2cost_column_0_11, 10) & to_unsigned(slice2cost_column_0_10, 10) & to_unsigned(slice2cost_column_0_9, 10);
   slice2window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_3,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_3_memory_read_enable,
+      read_address => slice2window_leaving_3_memory_read_address, read_data => slice2window_leaving_3,
+      write_address => slice2window_leaving_3_memory_write_address, write_data => slice2window_leaving_3_memory_write_data);
 
+  slice2window_leaving_2_memory_read_enable <= true;
+  slice2window_leaving_2_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_2_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_2_memory_write_data <= to_unsigned(slice2cost_column_0_8, 10) & to_unsigned(slice2cost_column_0_7, 10) & to_unsigned(slice2cost_column_0_6, 10);
   slice2window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_2,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_2_memory_read_enable,
+      read_address => slice2window_leaving_2_memory_read_address, read_data => slice2window_leaving_2,
+      write_address => slice2window_leaving_2_memory_write_address, write_data => slice2window_leaving_2_memory_write_data);
 
+  slice2window_leaving_1_memory_read_enable <= true;
+  slice2window_leaving_1_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_1_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_1_memory_write_data <= to_unsigned(slice2cost_column_0_5, 10) & to_unsigned(slice2cost_column_0_4, 10) & to_unsigned(slice2cost_column_0_3, 10);
   slice2window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_1,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_1_memory_read_enable,
+      read_address => slice2window_leaving_1_memory_read_address, read_data => slice2window_leaving_1,
+      write_address => slice2window_leaving_1_memory_write_address, write_data => slice2window_leaving_1_memory_write_data);
 
+  slice2window_leaving_0_memory_read_enable <= true;
+  slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0_2, 10) & to_unsigned(slice2cost_column_0_1, 10) & to_unsigned(slice2cost_column_0_0, 10);
   slice2window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_0,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
+      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving_0,
+      write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
 
+  slice2cost_read_words_5_memory_read_enable <= true;
+  slice2cost_read_words_5_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
+  slice2cost_read_words_5_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
   slice2cost_read_words_5_memory_write_data <= to_unsigned(slice2cost_write_words_5, 10);
   slice2cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 450, width => 10)
+    generic map (depth => 450, width => 10, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_5,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_5_memory_read_enable,
+      read_address => slice2cost_read_words_5_memory_read_address, read_data => slice2cost_read_words_5,
+      write_address => slice2cost_read_words_5_memory_write_address, write_data => slice2cost_read_words_5_memory_write_data);
 
+  slice2cost_read_words_4_memory_read_enable <= true;
+  slice2cost_read_words_4_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
+  slice2cost_read_words_4_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
   slice2cost_read_words_4_memory_write_data <= to_unsigned(slice2cost_write_words_4, 30);
   slice2cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_4,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_4_memory_read_enable,
+      read_address => slice2cost_read_words_4_memory_read_address, read_data => slice2cost_read_words_4,
+      write_address => slice2cost_read_words_4_memory_write_address, write_data => slice2cost_read_words_4_memory_write_data);
 
+  slice2cost_read_words_3_memory_read_enable <= true;
+  slice2cost_read_words_3_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
+  slice2cost_read_words_3_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
   slice2cost_read_words_3_memory_write_data <= to_unsigned(slice2cost_write_words_3, 30);
   slice2cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_3,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_3_memory_read_enable,
+      read_address => slice2cost_read_words_3_memory_read_address, read_data => slice2cost_read_words_3,
+      write_address => slice2cost_read_words_3_memory_write_address, write_data => slice2cost_read_words_3_memory_write_data);
 
+  slice2cost_read_words_2_memory_read_enable <= true;
+  slice2cost_read_words_2_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
+  slice2cost_read_words_2_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
   slice2cost_read_words_2_memory_write_data <= to_unsigned(slice2cost_write_words_2, 30);
   slice2cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_2,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_2_memory_read_enable,
+      read_address => slice2cost_read_words_2_memory_read_address, read_data => slice2cost_read_words_2,
+      write_address => slice2cost_read_words_2_memory_write_address, write_data => slice2cost_read_words_2_memory_write_data);
 
+  slice2cost_read_words_1_memory_read_enable <= true;
+  slice2cost_read_words_1_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
+  slice2cost_read_words_1_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
   slice2cost_read_words_1_memory_write_data <= to_unsigned(slice2cost_write_words_1, 30);
   slice2cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_1,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_1_memory_read_enable,
+      read_address => slice2cost_read_words_1_memory_read_address, read_data => slice2cost_read_words_1,
+      write_address => slice2cost_read_words_1_memory_write_address, write_data => slice2cost_read_words_1_memory_write_data);
 
+  slice2cost_read_words_0_memory_read_enable <= true;
+  slice2cost_read_words_0_memory_read_address <= to_unsigned(slice2cost_read_column, 9);
+  slice2cost_read_words_0_memory_write_address <= to_unsigned(slice3cost_ready_column, 9);
   slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words_0, 30);
   slice2cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2cost_read_column, read_data => slice2cost_read_words_0,
-      write_address => slice3cost_ready_column, write_data => slice2cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
+      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words_0,
+      write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
 
+  slice1window_leaving_5_memory_read_enable <= true;
+  slice1window_leaving_5_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_5_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_5_memory_write_data <= to_unsigned(slice1cost_column_0_15, 10);
   slice1window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 16, width => 10)
+    generic map (depth => 16, width => 10, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_5,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_5_memory_read_enable,
+      read_address => slice1window_leaving_5_memory_read_address, read_data => slice1window_leaving_5,
+      write_address => slice1window_leaving_5_memory_write_address, write_data => slice1window_leaving_5_memory_write_data);
 
+  slice1window_leaving_4_memory_read_enable <= true;
+  slice1window_leaving_4_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_4_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_4_memory_write_data <= to_unsigned(slice1cost_column_0_14, 10) & to_unsigned(slice1cost_column_0_13, 10) & to_unsigned(slice1cost_column_0_12, 10);
   slice1window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_4,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_4_memory_read_enable,
+      read_address => slice1window_leaving_4_memory_read_address, read_data => slice1window_leaving_4,
+      write_address => slice1window_leaving_4_memory_write_address, write_data => slice1window_leaving_4_memory_write_data);
 
+  slice1window_leaving_3_memory_read_enable <= true;
+  slice1window_leaving_3_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_3_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_0_11, 10) & to_unsigned(slice1cost_column_0_10, 10) & to_unsigned(slice1cost_column_0_9, 10);
   slice1window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_3,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_3_memory_read_enable,
+      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving_3,
+      write_address => slice1window_leaving_3_memory_write_address, write_data => slice1window_leaving_3_memory_write_data);
 
+  slice1window_leaving_2_memory_read_enable <= true;
+  slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0_8, 10) & to_unsigned(slice1cost_column_0_7, 10) & to_unsigned(slice1cost_column_0_6, 10);
   slice1window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_2,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
+      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving_2,
+      write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
 
+  slice1window_leaving_1_memory_read_enable <= true;
+  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0_5, 10) & to_unsigned(slice1cost_column_0_4, 10) & to_unsigned(slice1cost_column_0_3, 10);
   slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_1,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
+      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving_1,
+      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
 
+  slice1window_leaving_0_memory_read_enable <= true;
+  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_2, 10) & to_unsigned(slice1cost_column_0_1, 10) & to_unsigned(slice1cost_column_0_0, 10);
   slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_0,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
+      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving_0,
+      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
 
+  slice1cost_read_words_5_memory_read_enable <= true;
+  slice1cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
+  slice1cost_read_words_5_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
   slice1cost_read_words_5_memory_write_data <= to_unsigned(slice1cost_write_words_5, 10);
   slice1cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 450, width => 10)
+    generic map (depth => 450, width => 10, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_5,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_5_memory_read_enable,
+      read_address => slice1cost_read_words_5_memory_read_address, read_data => slice1cost_read_words_5,
+      write_address => slice1cost_read_words_5_memory_write_address, write_data => slice1cost_read_words_5_memory_write_data);
 
+  slice1cost_read_words_4_memory_read_enable <= true;
+  slice1cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
+  slice1cost_read_words_4_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
   slice1cost_read_words_4_memory_write_data <= to_unsigned(slice1cost_write_words_4, 30);
   slice1cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_4,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_4_memory_read_enable,
+      read_address => slice1cost_read_words_4_memory_read_address, read_data => slice1cost_read_words_4,
+      write_address => slice1cost_read_words_4_memory_write_address, write_data => slice1cost_read_words_4_memory_write_data);
 
+  slice1cost_read_words_3_memory_read_enable <= true;
+  slice1cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
+  slice1cost_read_words_3_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
   slice1cost_read_words_3_memory_write_data <= to_unsigned(slice1cost_write_words_3, 30);
   slice1cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_3,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_3_memory_read_enable,
+      read_address => slice1cost_read_words_3_memory_read_address, read_data => slice1cost_read_words_3,
+      write_address => slice1cost_read_words_3_memory_write_address, write_data => slice1cost_read_words_3_memory_write_data);
 
+  slice1cost_read_words_2_memory_read_enable <= true;
+  slice1cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
+  slice1cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
   slice1cost_read_words_2_memory_write_data <= to_unsigned(slice1cost_write_words_2, 30);
   slice1cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_2,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_2_memory_read_enable,
+      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words_2,
+      write_address => slice1cost_read_words_2_memory_write_address, write_data => slice1cost_read_words_2_memory_write_data);
 
+  slice1cost_read_words_1_memory_read_enable <= true;
+  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
+  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
   slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 30);
   slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
+      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words_1,
+      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
 
+  slice1cost_read_words_0_memory_read_enable <= true;
+  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
+  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 30);
   slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
+      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words_0,
+      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
 
+  slice0window_leaving_5_memory_read_enable <= true;
+  slice0window_leaving_5_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_5_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_5_memory_write_data <= to_unsigned(slice0cost_column_0_15, 10);
   slice0window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 16, width => 10)
+    generic map (depth => 16, width => 10, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_5,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_5_memory_read_enable,
+      read_address => slice0window_leaving_5_memory_read_address, read_data => slice0window_leaving_5,
+      write_address => slice0window_leaving_5_memory_write_address, write_data => slice0window_leaving_5_memory_write_data);
 
+  slice0window_leaving_4_memory_read_enable <= true;
+  slice0window_leaving_4_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_4_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_4_memory_write_data <= to_unsigned(slice0cost_column_0_14, 10) & to_unsigned(slice0cost_column_0_13, 10) & to_unsigned(slice0cost_column_0_12, 10);
   slice0window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_4,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_4_memory_read_enable,
+      read_address => slice0window_leaving_4_memory_read_address, read_data => slice0window_leaving_4,
+      write_address => slice0window_leaving_4_memory_write_address, write_data => slice0window_leaving_4_memory_write_data);
 
+  slice0window_leaving_3_memory_read_enable <= true;
+  slice0window_leaving_3_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_3_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_0_11, 10) & to_unsigned(slice0cost_column_0_10, 10) & to_unsigned(slice0cost_column_0_9, 10);
   slice0window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_3,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_3_memory_read_enable,
+      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving_3,
+      write_address => slice0window_leaving_3_memory_write_address, write_data => slice0window_leaving_3_memory_write_data);
 
+  slice0window_leaving_2_memory_read_enable <= true;
+  slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0_8, 10) & to_unsigned(slice0cost_column_0_7, 10) & to_unsigned(slice0cost_column_0_6, 10);
   slice0window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_2,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
+      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving_2,
+      write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
 
+  slice0window_leaving_1_memory_read_enable <= true;
+  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0_5, 10) & to_unsigned(slice0cost_column_0_4, 10) & to_unsigned(slice0cost_column_0_3, 10);
   slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_1,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
+      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving_1,
+      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
 
+  slice0window_leaving_0_memory_read_enable <= true;
+  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_2, 10) & to_unsigned(slice0cost_column_0_1, 10) & to_unsigned(slice0cost_column_0_0, 10);
   slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 30)
+    generic map (depth => 16, width => 30, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
+      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
+  slice0cost_read_words_5_memory_read_enable <= true;
+  slice0cost_read_words_5_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_5_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
   slice0cost_read_words_5_memory_write_data <= to_unsigned(slice0cost_write_words_5, 10);
   slice0cost_read_words_5_memory : entity work.line_memory
-    generic map (depth => 450, width => 10)
+    generic map (depth => 450, width => 10, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_5,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_5_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_5_memory_read_enable,
+      read_address => slice0cost_read_words_5_memory_read_address, read_data => slice0cost_read_words_5,
+      write_address => slice0cost_read_words_5_memory_write_address, write_data => slice0cost_read_words_5_memory_write_data);
 
+  slice0cost_read_words_4_memory_read_enable <= true;
+  slice0cost_read_words_4_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_4_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
   slice0cost_read_words_4_memory_write_data <= to_unsigned(slice0cost_write_words_4, 30);
   slice0cost_read_words_4_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_4,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_4_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_4_memory_read_enable,
+      read_address => slice0cost_read_words_4_memory_read_address, read_data => slice0cost_read_words_4,
+      write_address => slice0cost_read_words_4_memory_write_address, write_data => slice0cost_read_words_4_memory_write_data);
 
+  slice0cost_read_words_3_memory_read_enable <= true;
+  slice0cost_read_words_3_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_3_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
   slice0cost_read_words_3_memory_write_data <= to_unsigned(slice0cost_write_words_3, 30);
   slice0cost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_3,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_3_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_3_memory_read_enable,
+      read_address => slice0cost_read_words_3_memory_read_address, read_data => slice0cost_read_words_3,
+      write_address => slice0cost_read_words_3_memory_write_address, write_data => slice0cost_read_words_3_memory_write_data);
 
+  slice0cost_read_words_2_memory_read_enable <= true;
+  slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
   slice0cost_read_words_2_memory_write_data <= to_unsigned(slice0cost_write_words_2, 30);
   slice0cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_2,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
+      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words_2,
+      write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
 
+  slice0cost_read_words_1_memory_read_enable <= true;
+  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
   slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 30);
   slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
+      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words_1,
+      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
 
+  slice0cost_read_words_0_memory_read_enable <= true;
+  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 30);
   slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 30)
+    generic map (depth => 450, width => 30, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
+      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words_0,
+      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_3_memory_read_enable <= true;
+  rows_search_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words_3, 21);
   rows_search_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 21)
+    generic map (depth => 450, width => 21, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_3,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_3_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_3_memory_read_enable,
+      read_address => rows_search_rows_read_words_3_memory_read_address, read_data => rows_search_rows_read_words_3,
+      write_address => rows_search_rows_read_words_3_memory_write_address, write_data => rows_search_rows_read_words_3_memory_write_data);
 
+  rows_search_rows_read_words_2_memory_read_enable <= true;
+  rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words_2, 28);
   rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 28)
+    generic map (depth => 450, width => 28, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
+      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words_2,
+      write_address => rows_search_rows_read_words_2_memory_write_address, write_data => rows_search_rows_read_words_2_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 28);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 28)
+    generic map (depth => 450, width => 28, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 28)
+    generic map (depth => 450, width => 28, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_3_memory_read_enable <= true;
+  rows_reference_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_3_memory_write_data <= to_unsigned(rows_reference_rows_write_words_3, 21);
   rows_reference_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 450, width => 21)
+    generic map (depth => 450, width => 21, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_3,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_3_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_3_memory_read_enable,
+      read_address => rows_reference_rows_read_words_3_memory_read_address, read_data => rows_reference_rows_read_words_3,
+      write_address => rows_reference_rows_read_words_3_memory_write_address, write_data => rows_reference_rows_read_words_3_memory_write_data);
 
+  rows_reference_rows_read_words_2_memory_read_enable <= true;
+  rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words_2, 28);
   rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 450, width => 28)
+    generic map (depth => 450, width => 28, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
+      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words_2,
+      write_address => rows_reference_rows_read_words_2_memory_write_address, write_data => rows_reference_rows_read_words_2_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 28);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 450, width => 28)
+    generic map (depth => 450, width => 28, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 28)
+    generic map (depth => 450, width => 28, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
   transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 16)
+    generic map (depth => 450, width => 16, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
   transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 450, width => 16)
+    generic map (depth => 450, width => 16, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1832,27 +2192,46 @@ begin
       -- transform
       transform_counter_group_is_equal := transform_counter_group = 374;
       transform_counter_group_is_equal_2 := transform_counter_column = 449;
-      transform_counter_group_choice := 375 when transform_counter_group_is_equal and
-        transform_counter_group_is_equal_2 else 0;
+      if transform_counter_group_is_equal and transform_counter_group_is_equal_2 then
+        transform_counter_group_choice := 375;
+      else
+        transform_counter_group_choice := 0;
+      end if;
       transform_counter_group_differs := transform_counter_group /= 376;
-      transform_counter_group_choice_2 := 1 when (transform_counter_group = 375) and transform_counter_next_frame else
-        (transform_counter_group + 1) mod 512;
-      transform_counter_group_choice_3 := transform_counter_group_choice_2 when transform_counter_group_differs and
-        transform_counter_group_is_equal_2 and in_valid else transform_counter_group;
+      if (transform_counter_group = 375) and transform_counter_next_frame then
+        transform_counter_group_choice_2 := 1;
+      else
+        transform_counter_group_choice_2 := (transform_counter_group + 1) mod 512;
+      end if;
+      if transform_counter_group_differs and transform_counter_group_is_equal_2 and in_valid then
+        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+      else
+        transform_counter_group_choice_3 := transform_counter_group;
+      end if;
       transform_read_column_inside_0_differs := transform_counter_column /= 0;
-      transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
-        (transform_left_filter_slope_0 + 31) mod 128;
-      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-31) else
-        transform_left_filter_feature_0_choice;
-      transform_right_filter_feature_0_choice := 62 when 31 < transform_right_filter_slope_0 else
-        (transform_right_filter_slope_0 + 31) mod 128;
-      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-31) else
-        transform_right_filter_feature_0_choice;
+      if 31 < transform_left_filter_slope_0 then
+        transform_left_filter_feature_0_choice := 62;
+      else
+        transform_left_filter_feature_0_choice := (transform_left_filter_slope_0 + 31) mod 128;
+      end if;
+      if transform_left_filter_slope_0 < (-31) then
+        transform_left_filter_feature_0_choice_2 := 0;
+      else
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      end if;
+      if 31 < transform_right_filter_slope_0 then
+        transform_right_filter_feature_0_choice := 62;
+      else
+        transform_right_filter_feature_0_choice := (transform_right_filter_slope_0 + 31) mod 128;
+      end if;
+      if transform_right_filter_slope_0 < (-31) then
+        transform_right_filter_feature_0_choice_2 := 0;
+      else
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice when in_start_of_frame and in_valid else
-        transform_counter_group_choice_3;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -1888,11 +2267,7 @@ begin
       transform_columns_valid <= transform_ready_valid;
       transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
       transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
-      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
-        31;
       transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
-      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
-        else 31;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -1901,18 +2276,45 @@ begin
       transform_filtering_1_valid <= transform_filtering_0_valid;
       transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
       transform_filtering_2_valid <= transform_filtering_1_valid;
-      transform_counter_next_frame_choice := (transform_counter_group /= 375) and transform_counter_next_frame when
-        transform_counter_group_is_equal_2 else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when transform_counter_group_differs
-        else transform_counter_next_frame;
-      transform_counter_next_frame_choice_3 := transform_counter_group_is_equal_2 or (not in_start_of_frame) when
-        transform_counter_group_is_equal else not in_start_of_frame;
+      if in_start_of_frame and in_valid then
+        transform_counter_group <= transform_counter_group_choice;
+      else
+        transform_counter_group <= transform_counter_group_choice_3;
+      end if;
+      if transform_left_filter_whole then
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2;
+      else
+        transform_left_filter_feature_0 <= 31;
+        transform_right_filter_feature_0 <= 31;
+      end if;
+      if transform_counter_group_is_equal_2 then
+        transform_counter_next_frame_choice := (transform_counter_group /= 375) and transform_counter_next_frame;
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
+      if transform_counter_group_differs then
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
+      else
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
+      end if;
+      if transform_counter_group_is_equal then
+        transform_counter_next_frame_choice_3 := transform_counter_group_is_equal_2 or (not in_start_of_frame);
+      else
+        transform_counter_next_frame_choice_3 := not in_start_of_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal_2 or in_start_of_frame else
-          (transform_counter_column + 1) mod 512;
-        transform_counter_next_frame <= transform_counter_next_frame_choice_3 when
-          transform_counter_next_frame_choice_2 else transform_counter_group_is_equal and
-          transform_counter_group_is_equal_2 and in_start_of_frame;
+        if transform_counter_group_is_equal_2 or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 512;
+        end if;
+        if transform_counter_next_frame_choice_2 then
+          transform_counter_next_frame <= transform_counter_next_frame_choice_3;
+        else
+          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_newest_0 * 256) +
@@ -1921,18 +2323,36 @@ begin
           (transform_right_rows_ready_words_0 / 256);
         transform_write_column <= transform_ready_column;
       end if;
-      transform_left_filter_column_0_0_choice := transform_left_column_0 when transform_columns_row_inside_0 else
-        transform_left_column_2;
-      transform_left_filter_column_0_0_choice_2 := transform_left_column_2 when transform_columns_row_inside_2 else
-        transform_left_column_0;
-      transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1 when
-        transform_columns_row_inside_2 else (transform_left_column_0 mod 2) = 1;
-      transform_right_filter_column_0_0_choice := transform_right_column_0 when transform_columns_row_inside_0 else
-        transform_right_column_2;
-      transform_right_filter_column_0_0_choice_2 := transform_right_column_2 when transform_columns_row_inside_2 else
-        transform_right_column_0;
-      transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1 when
-        transform_columns_row_inside_2 else (transform_right_column_0 mod 2) = 1;
+      if transform_columns_row_inside_0 then
+        transform_left_filter_column_0_0_choice := transform_left_column_0;
+      else
+        transform_left_filter_column_0_0_choice := transform_left_column_2;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_2;
+      else
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_0;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1;
+      else
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_0 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_0 then
+        transform_right_filter_column_0_0_choice := transform_right_column_0;
+      else
+        transform_right_filter_column_0_0_choice := transform_right_column_2;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_2;
+      else
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_0;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1;
+      else
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_0 mod 2) = 1;
+      end if;
       if transform_columns_valid then
         transform_left_filter_column_0_0 <= transform_left_filter_column_0_0_choice +
           (((transform_left_filter_column_0_0_choice_2 / 2) + transform_left_column_1) * 2) +
@@ -1950,12 +2370,18 @@ begin
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_2_valid;
-      raster_place_group <= 0 when transform_filtering_2_start_of_frame and transform_filtering_2_valid else
-        (raster_place_group + as_number(((raster_place_group /= 382) and raster_place_group_is_equal and
-        transform_filtering_2_valid))) mod 512;
+      if transform_filtering_2_start_of_frame and transform_filtering_2_valid then
+        raster_place_group <= 0;
+      else
+        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 382) and
+          raster_place_group_is_equal and transform_filtering_2_valid))) mod 512;
+      end if;
       if transform_filtering_2_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_2_start_of_frame else
-          (raster_place_column + 1) mod 512;
+        if raster_place_group_is_equal or transform_filtering_2_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 512;
+        end if;
       end if;
       -- delay
       delay_ahead_0 <= raster_features_reference_0;
@@ -2011,10 +2437,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_newest_0 when rows_ready_inside_1 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_1 else 0;
       rows_inside_0 <= rows_ready_inside_0;
       rows_inside_1 <= rows_ready_inside_1;
       rows_tag_valid <= rows_ready_tag_valid;
@@ -2026,6 +2448,20 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 128;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_newest_0;
+        rows_reference_1 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 128) + ((rows_search_rows_ready_words_1 mod
           128) * 2097152);
@@ -2094,59 +2530,166 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 mod 1024;
-      slice0cost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_0 +
-        slice0cost_column_0_0_choice) mod 1024;
-      slice0cost_column_0_1_choice := 0 when slice0cost_ready_tag_first_group else (slice0cost_ready_words_0 / 1024)
-        mod 1024;
-      slice0cost_column_0_1_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_1 +
-        slice0cost_column_0_1_choice) mod 1024;
-      slice0cost_column_0_2_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 / 1048576;
-      slice0cost_column_0_2_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_2 +
-        slice0cost_column_0_2_choice) mod 1024;
-      slice0cost_column_0_3_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1 mod 1024;
-      slice0cost_column_0_3_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_3 +
-        slice0cost_column_0_3_choice) mod 1024;
-      slice0cost_column_0_4_choice := 0 when slice0cost_ready_tag_first_group else (slice0cost_ready_words_1 / 1024)
-        mod 1024;
-      slice0cost_column_0_4_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_4 +
-        slice0cost_column_0_4_choice) mod 1024;
-      slice0cost_column_0_5_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1 / 1048576;
-      slice0cost_column_0_5_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_5 +
-        slice0cost_column_0_5_choice) mod 1024;
-      slice0cost_column_0_6_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_2 mod 1024;
-      slice0cost_column_0_6_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_6 +
-        slice0cost_column_0_6_choice) mod 1024;
-      slice0cost_column_0_7_choice := 0 when slice0cost_ready_tag_first_group else (slice0cost_ready_words_2 / 1024)
-        mod 1024;
-      slice0cost_column_0_7_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_7 +
-        slice0cost_column_0_7_choice) mod 1024;
-      slice0cost_column_0_8_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_2 / 1048576;
-      slice0cost_column_0_8_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_8 +
-        slice0cost_column_0_8_choice) mod 1024;
-      slice0cost_column_0_9_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_3 mod 1024;
-      slice0cost_column_0_9_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_9 +
-        slice0cost_column_0_9_choice) mod 1024;
-      slice0cost_column_0_10_choice := 0 when slice0cost_ready_tag_first_group else (slice0cost_ready_words_3 / 1024)
-        mod 1024;
-      slice0cost_column_0_10_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_10 +
-        slice0cost_column_0_10_choice) mod 1024;
-      slice0cost_column_0_11_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_3 / 1048576;
-      slice0cost_column_0_11_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_11 +
-        slice0cost_column_0_11_choice) mod 1024;
-      slice0cost_column_0_12_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_4 mod 1024;
-      slice0cost_column_0_12_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_12 +
-        slice0cost_column_0_12_choice) mod 1024;
-      slice0cost_column_0_13_choice := 0 when slice0cost_ready_tag_first_group else (slice0cost_ready_words_4 / 1024)
-        mod 1024;
-      slice0cost_column_0_13_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_13 +
-        slice0cost_column_0_13_choice) mod 1024;
-      slice0cost_column_0_14_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_4 / 1048576;
-      slice0cost_column_0_14_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_14 +
-        slice0cost_column_0_14_choice) mod 1024;
-      slice0cost_column_0_15_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_5;
-      slice0cost_column_0_15_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_15 +
-        slice0cost_column_0_15_choice) mod 1024;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_0_choice := 0;
+      else
+        slice0cost_column_0_0_choice := slice0cost_ready_words_0 mod 1024;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_0_choice_2 := 0;
+      else
+        slice0cost_column_0_0_choice_2 := (slice0cost_change_0_0 + slice0cost_column_0_0_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_1_choice := 0;
+      else
+        slice0cost_column_0_1_choice := (slice0cost_ready_words_0 / 1024) mod 1024;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_1_choice_2 := 0;
+      else
+        slice0cost_column_0_1_choice_2 := (slice0cost_change_0_1 + slice0cost_column_0_1_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_2_choice := 0;
+      else
+        slice0cost_column_0_2_choice := slice0cost_ready_words_0 / 1048576;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_2_choice_2 := 0;
+      else
+        slice0cost_column_0_2_choice_2 := (slice0cost_change_0_2 + slice0cost_column_0_2_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_3_choice := 0;
+      else
+        slice0cost_column_0_3_choice := slice0cost_ready_words_1 mod 1024;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_3_choice_2 := 0;
+      else
+        slice0cost_column_0_3_choice_2 := (slice0cost_change_0_3 + slice0cost_column_0_3_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_4_choice := 0;
+      else
+        slice0cost_column_0_4_choice := (slice0cost_ready_words_1 / 1024) mod 1024;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_4_choice_2 := 0;
+      else
+        slice0cost_column_0_4_choice_2 := (slice0cost_change_0_4 + slice0cost_column_0_4_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_5_choice := 0;
+      else
+        slice0cost_column_0_5_choice := slice0cost_ready_words_1 / 1048576;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_5_choice_2 := 0;
+      else
+        slice0cost_column_0_5_choice_2 := (slice0cost_change_0_5 + slice0cost_column_0_5_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_6_choice := 0;
+      else
+        slice0cost_column_0_6_choice := slice0cost_ready_words_2 mod 1024;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_6_choice_2 := 0;
+      else
+        slice0cost_column_0_6_choice_2 := (slice0cost_change_0_6 + slice0cost_column_0_6_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_7_choice := 0;
+      else
+        slice0cost_column_0_7_choice := (slice0cost_ready_words_2 / 1024) mod 1024;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_7_choice_2 := 0;
+      else
+        slice0cost_column_0_7_choice_2 := (slice0cost_change_0_7 + slice0cost_column_0_7_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_8_choice := 0;
+      else
+        slice0cost_column_0_8_choice := slice0cost_ready_words_2 / 1048576;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_8_choice_2 := 0;
+      else
+        slice0cost_column_0_8_choice_2 := (slice0cost_change_0_8 + slice0cost_column_0_8_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_9_choice := 0;
+      else
+        slice0cost_column_0_9_choice := slice0cost_ready_words_3 mod 1024;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_9_choice_2 := 0;
+      else
+        slice0cost_column_0_9_choice_2 := (slice0cost_change_0_9 + slice0cost_column_0_9_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_10_choice := 0;
+      else
+        slice0cost_column_0_10_choice := (slice0cost_ready_words_3 / 1024) mod 1024;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_10_choice_2 := 0;
+      else
+        slice0cost_column_0_10_choice_2 := (slice0cost_change_0_10 + slice0cost_column_0_10_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_11_choice := 0;
+      else
+        slice0cost_column_0_11_choice := slice0cost_ready_words_3 / 1048576;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_11_choice_2 := 0;
+      else
+        slice0cost_column_0_11_choice_2 := (slice0cost_change_0_11 + slice0cost_column_0_11_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_12_choice := 0;
+      else
+        slice0cost_column_0_12_choice := slice0cost_ready_words_4 mod 1024;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_12_choice_2 := 0;
+      else
+        slice0cost_column_0_12_choice_2 := (slice0cost_change_0_12 + slice0cost_column_0_12_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_13_choice := 0;
+      else
+        slice0cost_column_0_13_choice := (slice0cost_ready_words_4 / 1024) mod 1024;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_13_choice_2 := 0;
+      else
+        slice0cost_column_0_13_choice_2 := (slice0cost_change_0_13 + slice0cost_column_0_13_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_14_choice := 0;
+      else
+        slice0cost_column_0_14_choice := slice0cost_ready_words_4 / 1048576;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_14_choice_2 := 0;
+      else
+        slice0cost_column_0_14_choice_2 := (slice0cost_change_0_14 + slice0cost_column_0_14_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_15_choice := 0;
+      else
+        slice0cost_column_0_15_choice := slice0cost_ready_words_5;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_15_choice_2 := 0;
+      else
+        slice0cost_column_0_15_choice_2 := (slice0cost_change_0_15 + slice0cost_column_0_15_choice) mod 1024;
+      end if;
       slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -2299,11 +2842,18 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
       if slice0shift_tag_valid then
-        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 512;
+        if slice0shift_tag_row_start then
+          slice0cost_read_column <= 0;
+        else
+          slice0cost_read_column <= (slice0cost_read_column + 1) mod 512;
+        end if;
       end if;
       if slice0cost_pixels_first_tag_valid then
-        slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
-          mod 512;
+        if slice0cost_pixels_first_tag_row_start then
+          slice0cost_change_column <= 0;
+        else
+          slice0cost_change_column <= (slice0cost_change_column + 1) mod 512;
+        end if;
       end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_words_0 <= (slice0cost_column_0_1_choice_2 * 1024) + slice0cost_column_0_0_choice_2 +
@@ -2320,9 +2870,12 @@ begin
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 15 else
-          (slice0window_ring_read_address + 1) mod 16;
         slice0window_ring_write_address <= slice0window_ring_read_address;
+        if slice0window_ring_read_address = 15 then
+          slice0window_ring_read_address <= 0;
+        else
+          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice0window_entering_tag_leaves_window then
         slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(9 downto 0));
@@ -2457,22 +3010,86 @@ begin
       slice0window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_0;
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_tag_valid <= slice0window_change_tag_valid;
-      slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
-      slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
-      slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
-      slice0window_sum_0_3_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_3;
-      slice0window_sum_0_4_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_4;
-      slice0window_sum_0_5_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_5;
-      slice0window_sum_0_6_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_6;
-      slice0window_sum_0_7_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_7;
-      slice0window_sum_0_8_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_8;
-      slice0window_sum_0_9_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_9;
-      slice0window_sum_0_10_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_10;
-      slice0window_sum_0_11_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_11;
-      slice0window_sum_0_12_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_12;
-      slice0window_sum_0_13_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_13;
-      slice0window_sum_0_14_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_14;
-      slice0window_sum_0_15_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_15;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_0_choice := 0;
+      else
+        slice0window_sum_0_0_choice := slice0window_sum_0_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_1_choice := 0;
+      else
+        slice0window_sum_0_1_choice := slice0window_sum_0_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_2_choice := 0;
+      else
+        slice0window_sum_0_2_choice := slice0window_sum_0_2;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_3_choice := 0;
+      else
+        slice0window_sum_0_3_choice := slice0window_sum_0_3;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_4_choice := 0;
+      else
+        slice0window_sum_0_4_choice := slice0window_sum_0_4;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_5_choice := 0;
+      else
+        slice0window_sum_0_5_choice := slice0window_sum_0_5;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_6_choice := 0;
+      else
+        slice0window_sum_0_6_choice := slice0window_sum_0_6;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_7_choice := 0;
+      else
+        slice0window_sum_0_7_choice := slice0window_sum_0_7;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_8_choice := 0;
+      else
+        slice0window_sum_0_8_choice := slice0window_sum_0_8;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_9_choice := 0;
+      else
+        slice0window_sum_0_9_choice := slice0window_sum_0_9;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_10_choice := 0;
+      else
+        slice0window_sum_0_10_choice := slice0window_sum_0_10;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_11_choice := 0;
+      else
+        slice0window_sum_0_11_choice := slice0window_sum_0_11;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_12_choice := 0;
+      else
+        slice0window_sum_0_12_choice := slice0window_sum_0_12;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_13_choice := 0;
+      else
+        slice0window_sum_0_13_choice := slice0window_sum_0_13;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_14_choice := 0;
+      else
+        slice0window_sum_0_14_choice := slice0window_sum_0_14;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_15_choice := 0;
+      else
+        slice0window_sum_0_15_choice := slice0window_sum_0_15;
+      end if;
       if slice0window_change_tag_valid then
         slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 16384;
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 16384;
@@ -2516,46 +3133,7 @@ begin
       slice0winner1_held_0_13 <= slice0window_sum_0_13;
       slice0winner1_held_0_14 <= slice0window_sum_0_14;
       slice0winner1_held_0_15 <= slice0window_sum_0_15;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when (slice0window_sum_0_1 - slice0window_sum_0_0) < 0 else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when (slice0window_sum_0_3 - slice0window_sum_0_2) < 0 else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when (slice0window_sum_0_5 - slice0window_sum_0_4) < 0 else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when (slice0window_sum_0_7 - slice0window_sum_0_6) < 0 else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when (slice0window_sum_0_9 - slice0window_sum_0_8) < 0 else
-        slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when (slice0window_sum_0_11 - slice0window_sum_0_10) < 0
-        else slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when (slice0window_sum_0_13 - slice0window_sum_0_12) < 0
-        else slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when (slice0window_sum_0_15 - slice0window_sum_0_14) < 0
-        else slice0window_sum_0_14;
       slice0winner1_best_index_0_0 <= slice0winner1_best_index_0_0_is_not_less;
-      slice0winner1_best_index_0_1 <= 2 when slice0winner1_best_index_0_1_is_less else 3;
-      slice0winner1_best_index_0_2 <= 4 when slice0winner1_best_index_0_2_is_less else 5;
-      slice0winner1_best_index_0_3 <= 6 when slice0winner1_best_index_0_3_is_less else 7;
-      slice0winner1_best_index_0_4 <= 8 when slice0winner1_best_index_0_4_is_less else 9;
-      slice0winner1_best_index_0_5 <= 10 when slice0winner1_best_index_0_5_is_less else 11;
-      slice0winner1_best_index_0_6 <= 12 when slice0winner1_best_index_0_6_is_less else 13;
-      slice0winner1_best_index_0_7 <= 14 when slice0winner1_best_index_0_7_is_less else 15;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_index_0_0_is_not_less else 0;
-      slice0winner1_best_below_0_1 <= 0 when slice0winner1_best_index_0_1_is_less else slice0window_sum_0_2;
-      slice0winner1_best_below_0_2 <= 0 when slice0winner1_best_index_0_2_is_less else slice0window_sum_0_4;
-      slice0winner1_best_below_0_3 <= 0 when slice0winner1_best_index_0_3_is_less else slice0window_sum_0_6;
-      slice0winner1_best_below_0_4 <= 0 when slice0winner1_best_index_0_4_is_less else slice0window_sum_0_8;
-      slice0winner1_best_below_0_5 <= 0 when slice0winner1_best_index_0_5_is_less else slice0window_sum_0_10;
-      slice0winner1_best_below_0_6 <= 0 when slice0winner1_best_index_0_6_is_less else slice0window_sum_0_12;
-      slice0winner1_best_below_0_7 <= 0 when slice0winner1_best_index_0_7_is_less else slice0window_sum_0_14;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_index_0_0_is_not_less else slice0window_sum_0_1;
-      slice0winner1_best_above_0_1 <= slice0window_sum_0_3 when slice0winner1_best_index_0_1_is_less else 0;
-      slice0winner1_best_above_0_2 <= slice0window_sum_0_5 when slice0winner1_best_index_0_2_is_less else 0;
-      slice0winner1_best_above_0_3 <= slice0window_sum_0_7 when slice0winner1_best_index_0_3_is_less else 0;
-      slice0winner1_best_above_0_4 <= slice0window_sum_0_9 when slice0winner1_best_index_0_4_is_less else 0;
-      slice0winner1_best_above_0_5 <= slice0window_sum_0_11 when slice0winner1_best_index_0_5_is_less else 0;
-      slice0winner1_best_above_0_6 <= slice0window_sum_0_13 when slice0winner1_best_index_0_6_is_less else 0;
-      slice0winner1_best_above_0_7 <= slice0window_sum_0_15 when slice0winner1_best_index_0_7_is_less else 0;
       slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
       slice0winner1_best_late_cost_0_1 <= slice0winner1_best_cost_0_1;
       slice0winner1_best_late_cost_0_2 <= slice0winner1_best_cost_0_2;
@@ -2580,89 +3158,243 @@ begin
       slice0winner1_best_but_last_0_6 <= slice0winner1_held_0_12;
       slice0winner1_best_but_last_0_7 <= slice0winner1_held_0_14;
       slice0winner1_tag_valid <= slice0window_tag_valid;
+      if (slice0window_sum_0_1 - slice0window_sum_0_0) < 0 then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+      end if;
+      if (slice0window_sum_0_3 - slice0window_sum_0_2) < 0 then
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+      else
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+      end if;
+      if (slice0window_sum_0_5 - slice0window_sum_0_4) < 0 then
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+      else
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+      end if;
+      if (slice0window_sum_0_7 - slice0window_sum_0_6) < 0 then
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+      else
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+      end if;
+      if (slice0window_sum_0_9 - slice0window_sum_0_8) < 0 then
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_9;
+      else
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_8;
+      end if;
+      if (slice0window_sum_0_11 - slice0window_sum_0_10) < 0 then
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_11;
+      else
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_10;
+      end if;
+      if (slice0window_sum_0_13 - slice0window_sum_0_12) < 0 then
+        slice0winner1_best_cost_0_6 <= slice0window_sum_0_13;
+      else
+        slice0winner1_best_cost_0_6 <= slice0window_sum_0_12;
+      end if;
+      if (slice0window_sum_0_15 - slice0window_sum_0_14) < 0 then
+        slice0winner1_best_cost_0_7 <= slice0window_sum_0_15;
+      else
+        slice0winner1_best_cost_0_7 <= slice0window_sum_0_14;
+      end if;
+      if slice0winner1_best_index_0_1_is_less then
+        slice0winner1_best_index_0_1 <= 2;
+        slice0winner1_best_below_0_1 <= 0;
+        slice0winner1_best_above_0_1 <= slice0window_sum_0_3;
+      else
+        slice0winner1_best_index_0_1 <= 3;
+        slice0winner1_best_below_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_above_0_1 <= 0;
+      end if;
+      if slice0winner1_best_index_0_2_is_less then
+        slice0winner1_best_index_0_2 <= 4;
+        slice0winner1_best_below_0_2 <= 0;
+        slice0winner1_best_above_0_2 <= slice0window_sum_0_5;
+      else
+        slice0winner1_best_index_0_2 <= 5;
+        slice0winner1_best_below_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_above_0_2 <= 0;
+      end if;
+      if slice0winner1_best_index_0_3_is_less then
+        slice0winner1_best_index_0_3 <= 6;
+        slice0winner1_best_below_0_3 <= 0;
+        slice0winner1_best_above_0_3 <= slice0window_sum_0_7;
+      else
+        slice0winner1_best_index_0_3 <= 7;
+        slice0winner1_best_below_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_above_0_3 <= 0;
+      end if;
+      if slice0winner1_best_index_0_4_is_less then
+        slice0winner1_best_index_0_4 <= 8;
+        slice0winner1_best_below_0_4 <= 0;
+        slice0winner1_best_above_0_4 <= slice0window_sum_0_9;
+      else
+        slice0winner1_best_index_0_4 <= 9;
+        slice0winner1_best_below_0_4 <= slice0window_sum_0_8;
+        slice0winner1_best_above_0_4 <= 0;
+      end if;
+      if slice0winner1_best_index_0_5_is_less then
+        slice0winner1_best_index_0_5 <= 10;
+        slice0winner1_best_below_0_5 <= 0;
+        slice0winner1_best_above_0_5 <= slice0window_sum_0_11;
+      else
+        slice0winner1_best_index_0_5 <= 11;
+        slice0winner1_best_below_0_5 <= slice0window_sum_0_10;
+        slice0winner1_best_above_0_5 <= 0;
+      end if;
+      if slice0winner1_best_index_0_6_is_less then
+        slice0winner1_best_index_0_6 <= 12;
+        slice0winner1_best_below_0_6 <= 0;
+        slice0winner1_best_above_0_6 <= slice0window_sum_0_13;
+      else
+        slice0winner1_best_index_0_6 <= 13;
+        slice0winner1_best_below_0_6 <= slice0window_sum_0_12;
+        slice0winner1_best_above_0_6 <= 0;
+      end if;
+      if slice0winner1_best_index_0_7_is_less then
+        slice0winner1_best_index_0_7 <= 14;
+        slice0winner1_best_below_0_7 <= 0;
+        slice0winner1_best_above_0_7 <= slice0window_sum_0_15;
+      else
+        slice0winner1_best_index_0_7 <= 15;
+        slice0winner1_best_below_0_7 <= slice0window_sum_0_14;
+        slice0winner1_best_above_0_7 <= 0;
+      end if;
+      if slice0winner1_best_index_0_0_is_not_less then
+        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+      end if;
       -- slice0winner2
       slice0winner2_best_index_0_0_is_not_less := (slice0winner1_best_cost_0_0 - slice0winner1_best_cost_0_1) >= 0;
       slice0winner2_best_index_0_1_is_not_less := (slice0winner1_best_cost_0_2 - slice0winner1_best_cost_0_3) >= 0;
       slice0winner2_best_index_0_2_is_not_less := (slice0winner1_best_cost_0_4 - slice0winner1_best_cost_0_5) >= 0;
       slice0winner2_best_index_0_3_is_not_less := (slice0winner1_best_cost_0_6 - slice0winner1_best_cost_0_7) >= 0;
-      slice0winner2_best_below_0_0_choice := slice0winner1_held_0_1 when other_19 else slice0winner1_best_below_0_1;
-      slice0winner2_best_below_0_1_choice := slice0winner1_held_0_5 when other_20 else slice0winner1_best_below_0_3;
-      slice0winner2_best_below_0_2_choice := slice0winner1_held_0_9 when other_21 else slice0winner1_best_below_0_5;
-      slice0winner2_best_below_0_3_choice := slice0winner1_held_0_13 when other_22 else slice0winner1_best_below_0_7;
-      slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_above_0_1_choice := slice0winner1_held_0_6 when ((slice0winner1_best_index_0_2 / 4) = 1) and
-        ((slice0winner1_best_index_0_2 mod 2) = 1) else slice0winner1_best_above_0_2;
-      slice0winner2_best_above_0_2_choice := slice0winner1_held_0_10 when ((slice0winner1_best_index_0_4 / 8) = 1) and
-        ((slice0winner1_best_index_0_4 mod 2) = 1) else slice0winner1_best_above_0_4;
+      if other_19 then
+        slice0winner2_best_below_0_0_choice := slice0winner1_held_0_1;
+      else
+        slice0winner2_best_below_0_0_choice := slice0winner1_best_below_0_1;
+      end if;
+      if other_20 then
+        slice0winner2_best_below_0_1_choice := slice0winner1_held_0_5;
+      else
+        slice0winner2_best_below_0_1_choice := slice0winner1_best_below_0_3;
+      end if;
+      if other_21 then
+        slice0winner2_best_below_0_2_choice := slice0winner1_held_0_9;
+      else
+        slice0winner2_best_below_0_2_choice := slice0winner1_best_below_0_5;
+      end if;
+      if other_22 then
+        slice0winner2_best_below_0_3_choice := slice0winner1_held_0_13;
+      else
+        slice0winner2_best_below_0_3_choice := slice0winner1_best_below_0_7;
+      end if;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
+      if ((slice0winner1_best_index_0_2 / 4) = 1) and ((slice0winner1_best_index_0_2 mod 2) = 1) then
+        slice0winner2_best_above_0_1_choice := slice0winner1_held_0_6;
+      else
+        slice0winner2_best_above_0_1_choice := slice0winner1_best_above_0_2;
+      end if;
+      if ((slice0winner1_best_index_0_4 / 8) = 1) and ((slice0winner1_best_index_0_4 mod 2) = 1) then
+        slice0winner2_best_above_0_2_choice := slice0winner1_held_0_10;
+      else
+        slice0winner2_best_above_0_2_choice := slice0winner1_best_above_0_4;
+      end if;
       slice0winner2_best_above_0_3_value := ((slice0winner1_best_index_0_6 / 4) mod 2) = 1;
-      slice0winner2_best_above_0_3_choice := slice0winner1_held_0_14 when ((slice0winner1_best_index_0_6 / 8) = 1) and
-        slice0winner2_best_above_0_3_value and ((slice0winner1_best_index_0_6 mod 2) = 1) else
-        slice0winner1_best_above_0_6;
-      slice0winner2_best_second_0_0_choice := 16383 when slice0winner2_best_place_0_0 else
-        slice0winner1_best_late_cost_0_1;
-      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_but_first_0_1 when slice0winner2_best_at_end_0_0
-        else slice0winner2_best_second_0_0_choice;
-      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_place_0_0 else
-        16383;
-      slice0winner2_best_second_0_0_choice_4 := slice0winner1_best_but_last_0_0 when slice0winner2_best_at_start_0_0
-        else slice0winner2_best_second_0_0_choice_3;
-      slice0winner2_best_second_0_1_choice := 16383 when slice0winner2_best_place_0_1 else
-        slice0winner1_best_late_cost_0_3;
-      slice0winner2_best_second_0_1_choice_2 := slice0winner1_best_but_first_0_3 when slice0winner2_best_at_end_0_1
-        else slice0winner2_best_second_0_1_choice;
-      slice0winner2_best_second_0_1_choice_3 := slice0winner1_best_late_cost_0_2 when slice0winner2_best_place_0_1 else
-        16383;
-      slice0winner2_best_second_0_1_choice_4 := slice0winner1_best_but_last_0_2 when slice0winner2_best_at_start_0_1
-        else slice0winner2_best_second_0_1_choice_3;
-      slice0winner2_best_second_0_2_choice := 16383 when slice0winner2_best_place_0_2 else
-        slice0winner1_best_late_cost_0_5;
-      slice0winner2_best_second_0_2_choice_2 := slice0winner1_best_but_first_0_5 when slice0winner2_best_at_end_0_2
-        else slice0winner2_best_second_0_2_choice;
-      slice0winner2_best_second_0_2_choice_3 := slice0winner1_best_late_cost_0_4 when slice0winner2_best_place_0_2 else
-        16383;
-      slice0winner2_best_second_0_2_choice_4 := slice0winner1_best_but_last_0_4 when slice0winner2_best_at_start_0_2
-        else slice0winner2_best_second_0_2_choice_3;
-      slice0winner2_best_second_0_3_choice := 16383 when slice0winner2_best_place_0_3 else
-        slice0winner1_best_late_cost_0_7;
-      slice0winner2_best_second_0_3_choice_2 := slice0winner1_best_but_first_0_7 when slice0winner2_best_at_end_0_3
-        else slice0winner2_best_second_0_3_choice;
-      slice0winner2_best_second_0_3_choice_3 := slice0winner1_best_late_cost_0_6 when slice0winner2_best_place_0_3 else
-        16383;
-      slice0winner2_best_second_0_3_choice_4 := slice0winner1_best_but_last_0_6 when slice0winner2_best_at_start_0_3
-        else slice0winner2_best_second_0_3_choice_3;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when (slice0winner1_best_cost_0_1 -
-        slice0winner1_best_cost_0_0) < 0 else slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when (slice0winner1_best_cost_0_3 -
-        slice0winner1_best_cost_0_2) < 0 else slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when (slice0winner1_best_cost_0_5 -
-        slice0winner1_best_cost_0_4) < 0 else slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when (slice0winner1_best_cost_0_7 -
-        slice0winner1_best_cost_0_6) < 0 else slice0winner1_best_cost_0_6;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_index_0_0_is_not_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_index_0_1_is_not_less else
-        slice0winner1_best_index_0_2;
-      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_index_0_2_is_not_less else
-        slice0winner1_best_index_0_4;
-      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_index_0_3_is_not_less else
-        slice0winner1_best_index_0_6;
-      slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice when slice0winner2_best_index_0_0_is_not_less
-        else slice0winner1_best_below_0_0;
-      slice0winner2_best_below_0_1 <= slice0winner2_best_below_0_1_choice when slice0winner2_best_index_0_1_is_not_less
-        else slice0winner1_best_below_0_2;
-      slice0winner2_best_below_0_2 <= slice0winner2_best_below_0_2_choice when slice0winner2_best_index_0_2_is_not_less
-        else slice0winner1_best_below_0_4;
-      slice0winner2_best_below_0_3 <= slice0winner2_best_below_0_3_choice when slice0winner2_best_index_0_3_is_not_less
-        else slice0winner1_best_below_0_6;
-      slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1 when slice0winner2_best_index_0_0_is_not_less else
-        slice0winner2_best_above_0_0_choice;
-      slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_3 when slice0winner2_best_index_0_1_is_not_less else
-        slice0winner2_best_above_0_1_choice;
-      slice0winner2_best_above_0_2 <= slice0winner1_best_above_0_5 when slice0winner2_best_index_0_2_is_not_less else
-        slice0winner2_best_above_0_2_choice;
-      slice0winner2_best_above_0_3 <= slice0winner1_best_above_0_7 when slice0winner2_best_index_0_3_is_not_less else
-        slice0winner2_best_above_0_3_choice;
+      if ((slice0winner1_best_index_0_6 / 8) = 1) and slice0winner2_best_above_0_3_value and
+        ((slice0winner1_best_index_0_6 mod 2) = 1) then
+        slice0winner2_best_above_0_3_choice := slice0winner1_held_0_14;
+      else
+        slice0winner2_best_above_0_3_choice := slice0winner1_best_above_0_6;
+      end if;
+      if slice0winner2_best_place_0_0 then
+        slice0winner2_best_second_0_0_choice := 16383;
+      else
+        slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1;
+      end if;
+      if slice0winner2_best_at_end_0_0 then
+        slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_but_first_0_1;
+      else
+        slice0winner2_best_second_0_0_choice_2 := slice0winner2_best_second_0_0_choice;
+      end if;
+      if slice0winner2_best_place_0_0 then
+        slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_late_cost_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_3 := 16383;
+      end if;
+      if slice0winner2_best_at_start_0_0 then
+        slice0winner2_best_second_0_0_choice_4 := slice0winner1_best_but_last_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_4 := slice0winner2_best_second_0_0_choice_3;
+      end if;
+      if slice0winner2_best_place_0_1 then
+        slice0winner2_best_second_0_1_choice := 16383;
+      else
+        slice0winner2_best_second_0_1_choice := slice0winner1_best_late_cost_0_3;
+      end if;
+      if slice0winner2_best_at_end_0_1 then
+        slice0winner2_best_second_0_1_choice_2 := slice0winner1_best_but_first_0_3;
+      else
+        slice0winner2_best_second_0_1_choice_2 := slice0winner2_best_second_0_1_choice;
+      end if;
+      if slice0winner2_best_place_0_1 then
+        slice0winner2_best_second_0_1_choice_3 := slice0winner1_best_late_cost_0_2;
+      else
+        slice0winner2_best_second_0_1_choice_3 := 16383;
+      end if;
+      if slice0winner2_best_at_start_0_1 then
+        slice0winner2_best_second_0_1_choice_4 := slice0winner1_best_but_last_0_2;
+      else
+        slice0winner2_best_second_0_1_choice_4 := slice0winner2_best_second_0_1_choice_3;
+      end if;
+      if slice0winner2_best_place_0_2 then
+        slice0winner2_best_second_0_2_choice := 16383;
+      else
+        slice0winner2_best_second_0_2_choice := slice0winner1_best_late_cost_0_5;
+      end if;
+      if slice0winner2_best_at_end_0_2 then
+        slice0winner2_best_second_0_2_choice_2 := slice0winner1_best_but_first_0_5;
+      else
+        slice0winner2_best_second_0_2_choice_2 := slice0winner2_best_second_0_2_choice;
+      end if;
+      if slice0winner2_best_place_0_2 then
+        slice0winner2_best_second_0_2_choice_3 := slice0winner1_best_late_cost_0_4;
+      else
+        slice0winner2_best_second_0_2_choice_3 := 16383;
+      end if;
+      if slice0winner2_best_at_start_0_2 then
+        slice0winner2_best_second_0_2_choice_4 := slice0winner1_best_but_last_0_4;
+      else
+        slice0winner2_best_second_0_2_choice_4 := slice0winner2_best_second_0_2_choice_3;
+      end if;
+      if slice0winner2_best_place_0_3 then
+        slice0winner2_best_second_0_3_choice := 16383;
+      else
+        slice0winner2_best_second_0_3_choice := slice0winner1_best_late_cost_0_7;
+      end if;
+      if slice0winner2_best_at_end_0_3 then
+        slice0winner2_best_second_0_3_choice_2 := slice0winner1_best_but_first_0_7;
+      else
+        slice0winner2_best_second_0_3_choice_2 := slice0winner2_best_second_0_3_choice;
+      end if;
+      if slice0winner2_best_place_0_3 then
+        slice0winner2_best_second_0_3_choice_3 := slice0winner1_best_late_cost_0_6;
+      else
+        slice0winner2_best_second_0_3_choice_3 := 16383;
+      end if;
+      if slice0winner2_best_at_start_0_3 then
+        slice0winner2_best_second_0_3_choice_4 := slice0winner1_best_but_last_0_6;
+      else
+        slice0winner2_best_second_0_3_choice_4 := slice0winner2_best_second_0_3_choice_3;
+      end if;
       slice0winner2_best_first_0_1 <= slice0winner1_held_0_4;
       slice0winner2_best_first_0_2 <= slice0winner1_held_0_8;
       slice0winner2_best_first_0_3 <= slice0winner1_held_0_12;
@@ -2691,33 +3423,118 @@ begin
       slice0winner2_best_late_cost_0_1 <= slice0winner2_best_cost_0_1;
       slice0winner2_best_late_cost_0_2 <= slice0winner2_best_cost_0_2;
       slice0winner2_best_late_cost_0_3 <= slice0winner2_best_cost_0_3;
-      slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_2 when
-        (slice0winner2_best_second_0_0_choice_2 - slice0winner2_best_second_0_0_choice_4) < 0 else
-        slice0winner2_best_second_0_0_choice_4;
-      slice0winner2_best_second_0_1 <= slice0winner2_best_second_0_1_choice_2 when
-        (slice0winner2_best_second_0_1_choice_2 - slice0winner2_best_second_0_1_choice_4) < 0 else
-        slice0winner2_best_second_0_1_choice_4;
-      slice0winner2_best_second_0_2 <= slice0winner2_best_second_0_2_choice_2 when
-        (slice0winner2_best_second_0_2_choice_2 - slice0winner2_best_second_0_2_choice_4) < 0 else
-        slice0winner2_best_second_0_2_choice_4;
-      slice0winner2_best_second_0_3 <= slice0winner2_best_second_0_3_choice_2 when
-        (slice0winner2_best_second_0_3_choice_2 - slice0winner2_best_second_0_3_choice_4) < 0 else
-        slice0winner2_best_second_0_3_choice_4;
-      slice0winner2_best_but_first_0_1 <= slice0winner1_best_late_cost_0_3 when (slice0winner1_best_late_cost_0_3 -
-        slice0winner1_best_but_first_0_2) < 0 else slice0winner1_best_but_first_0_2;
-      slice0winner2_best_but_first_0_2 <= slice0winner1_best_late_cost_0_5 when (slice0winner1_best_late_cost_0_5 -
-        slice0winner1_best_but_first_0_4) < 0 else slice0winner1_best_but_first_0_4;
-      slice0winner2_best_but_first_0_3 <= slice0winner1_best_late_cost_0_7 when (slice0winner1_best_late_cost_0_7 -
-        slice0winner1_best_but_first_0_6) < 0 else slice0winner1_best_but_first_0_6;
-      slice0winner2_best_but_last_0_0 <= slice0winner1_best_but_last_0_1 when (slice0winner1_best_but_last_0_1 -
-        slice0winner1_best_late_cost_0_0) < 0 else slice0winner1_best_late_cost_0_0;
-      slice0winner2_best_but_last_0_1 <= slice0winner1_best_but_last_0_3 when (slice0winner1_best_but_last_0_3 -
-        slice0winner1_best_late_cost_0_2) < 0 else slice0winner1_best_late_cost_0_2;
-      slice0winner2_best_but_last_0_2 <= slice0winner1_best_but_last_0_5 when (slice0winner1_best_but_last_0_5 -
-        slice0winner1_best_late_cost_0_4) < 0 else slice0winner1_best_late_cost_0_4;
-      slice0winner2_best_but_last_0_3 <= slice0winner1_best_but_last_0_7 when (slice0winner1_best_but_last_0_7 -
-        slice0winner1_best_late_cost_0_6) < 0 else slice0winner1_best_late_cost_0_6;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
+      if (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0 then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      end if;
+      if (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0 then
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+      else
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+      end if;
+      if (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0 then
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5;
+      else
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
+      end if;
+      if (slice0winner1_best_cost_0_7 - slice0winner1_best_cost_0_6) < 0 then
+        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7;
+      else
+        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_6;
+      end if;
+      if slice0winner2_best_index_0_0_is_not_less then
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice;
+        slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1;
+      else
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      end if;
+      if slice0winner2_best_index_0_1_is_not_less then
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
+        slice0winner2_best_below_0_1 <= slice0winner2_best_below_0_1_choice;
+        slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_3;
+      else
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+        slice0winner2_best_below_0_1 <= slice0winner1_best_below_0_2;
+        slice0winner2_best_above_0_1 <= slice0winner2_best_above_0_1_choice;
+      end if;
+      if slice0winner2_best_index_0_2_is_not_less then
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
+        slice0winner2_best_below_0_2 <= slice0winner2_best_below_0_2_choice;
+        slice0winner2_best_above_0_2 <= slice0winner1_best_above_0_5;
+      else
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
+        slice0winner2_best_below_0_2 <= slice0winner1_best_below_0_4;
+        slice0winner2_best_above_0_2 <= slice0winner2_best_above_0_2_choice;
+      end if;
+      if slice0winner2_best_index_0_3_is_not_less then
+        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
+        slice0winner2_best_below_0_3 <= slice0winner2_best_below_0_3_choice;
+        slice0winner2_best_above_0_3 <= slice0winner1_best_above_0_7;
+      else
+        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
+        slice0winner2_best_below_0_3 <= slice0winner1_best_below_0_6;
+        slice0winner2_best_above_0_3 <= slice0winner2_best_above_0_3_choice;
+      end if;
+      if (slice0winner2_best_second_0_0_choice_2 - slice0winner2_best_second_0_0_choice_4) < 0 then
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_2;
+      else
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_4;
+      end if;
+      if (slice0winner2_best_second_0_1_choice_2 - slice0winner2_best_second_0_1_choice_4) < 0 then
+        slice0winner2_best_second_0_1 <= slice0winner2_best_second_0_1_choice_2;
+      else
+        slice0winner2_best_second_0_1 <= slice0winner2_best_second_0_1_choice_4;
+      end if;
+      if (slice0winner2_best_second_0_2_choice_2 - slice0winner2_best_second_0_2_choice_4) < 0 then
+        slice0winner2_best_second_0_2 <= slice0winner2_best_second_0_2_choice_2;
+      else
+        slice0winner2_best_second_0_2 <= slice0winner2_best_second_0_2_choice_4;
+      end if;
+      if (slice0winner2_best_second_0_3_choice_2 - slice0winner2_best_second_0_3_choice_4) < 0 then
+        slice0winner2_best_second_0_3 <= slice0winner2_best_second_0_3_choice_2;
+      else
+        slice0winner2_best_second_0_3 <= slice0winner2_best_second_0_3_choice_4;
+      end if;
+      if (slice0winner1_best_late_cost_0_3 - slice0winner1_best_but_first_0_2) < 0 then
+        slice0winner2_best_but_first_0_1 <= slice0winner1_best_late_cost_0_3;
+      else
+        slice0winner2_best_but_first_0_1 <= slice0winner1_best_but_first_0_2;
+      end if;
+      if (slice0winner1_best_late_cost_0_5 - slice0winner1_best_but_first_0_4) < 0 then
+        slice0winner2_best_but_first_0_2 <= slice0winner1_best_late_cost_0_5;
+      else
+        slice0winner2_best_but_first_0_2 <= slice0winner1_best_but_first_0_4;
+      end if;
+      if (slice0winner1_best_late_cost_0_7 - slice0winner1_best_but_first_0_6) < 0 then
+        slice0winner2_best_but_first_0_3 <= slice0winner1_best_late_cost_0_7;
+      else
+        slice0winner2_best_but_first_0_3 <= slice0winner1_best_but_first_0_6;
+      end if;
+      if (slice0winner1_best_but_last_0_1 - slice0winner1_best_late_cost_0_0) < 0 then
+        slice0winner2_best_but_last_0_0 <= slice0winner1_best_but_last_0_1;
+      else
+        slice0winner2_best_but_last_0_0 <= slice0winner1_best_late_cost_0_0;
+      end if;
+      if (slice0winner1_best_but_last_0_3 - slice0winner1_best_late_cost_0_2) < 0 then
+        slice0winner2_best_but_last_0_1 <= slice0winner1_best_but_last_0_3;
+      else
+        slice0winner2_best_but_last_0_1 <= slice0winner1_best_late_cost_0_2;
+      end if;
+      if (slice0winner1_best_but_last_0_5 - slice0winner1_best_late_cost_0_4) < 0 then
+        slice0winner2_best_but_last_0_2 <= slice0winner1_best_but_last_0_5;
+      else
+        slice0winner2_best_but_last_0_2 <= slice0winner1_best_late_cost_0_4;
+      end if;
+      if (slice0winner1_best_but_last_0_7 - slice0winner1_best_late_cost_0_6) < 0 then
+        slice0winner2_best_but_last_0_3 <= slice0winner1_best_but_last_0_7;
+      else
+        slice0winner2_best_but_last_0_3 <= slice0winner1_best_late_cost_0_6;
+      end if;
       if slice0winner2_tag_valid then
         slice0winner2_tag_output_column <= slice3window_centre_output_column_5;
         slice0winner2_tag_start_of_frame <= slice3window_centre_start_of_frame_5;
@@ -2727,49 +3544,69 @@ begin
       slice0winner3_best_index_0_0_is_not_less := (slice0winner2_best_cost_0_0 - slice0winner2_best_cost_0_1) >= 0;
       slice0winner3_best_index_0_1_is_not_less := (slice0winner2_best_cost_0_2 - slice0winner2_best_cost_0_3) >= 0;
       slice0winner3_best_below_0_0_is_equal := slice0winner2_best_index_0_1 = 4;
-      slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0 when slice0winner3_best_below_0_0_is_equal
-        else slice0winner2_best_below_0_1;
+      if slice0winner3_best_below_0_0_is_equal then
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0;
+      else
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_below_0_1;
+      end if;
       slice0winner3_best_below_0_1_is_equal := slice0winner2_best_index_0_3 = 12;
-      slice0winner3_best_below_0_1_choice := slice0winner2_best_last_0_2 when slice0winner3_best_below_0_1_is_equal
-        else slice0winner2_best_below_0_3;
+      if slice0winner3_best_below_0_1_is_equal then
+        slice0winner3_best_below_0_1_choice := slice0winner2_best_last_0_2;
+      else
+        slice0winner3_best_below_0_1_choice := slice0winner2_best_below_0_3;
+      end if;
       slice0winner3_best_above_0_0_is_equal := slice0winner2_best_index_0_0 = 3;
-      slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1 when slice0winner3_best_above_0_0_is_equal
-        else slice0winner2_best_above_0_0;
+      if slice0winner3_best_above_0_0_is_equal then
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1;
+      else
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_above_0_0;
+      end if;
       slice0winner3_best_above_0_1_is_equal := (slice0winner2_best_index_0_2 mod 4) = 3;
-      slice0winner3_best_above_0_1_choice := slice0winner2_best_first_0_3 when ((slice0winner2_best_index_0_2 / 8) = 1)
-        and slice0winner3_best_above_0_1_is_equal else slice0winner2_best_above_0_2;
-      slice0winner3_best_second_0_0_choice := slice0winner2_best_second_0_1 when slice0winner3_best_place_0_0 else
-        slice0winner2_best_late_cost_0_1;
-      slice0winner3_best_second_0_0_choice_2 := slice0winner2_best_but_first_0_1 when slice0winner3_best_at_end_0_0
-        else slice0winner3_best_second_0_0_choice;
-      slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_late_cost_0_0 when slice0winner3_best_place_0_0 else
-        slice0winner2_best_second_0_0;
-      slice0winner3_best_second_0_0_choice_4 := slice0winner2_best_but_last_0_0 when slice0winner3_best_at_start_0_0
-        else slice0winner3_best_second_0_0_choice_3;
-      slice0winner3_best_second_0_1_choice := slice0winner2_best_second_0_3 when slice0winner3_best_place_0_1 else
-        slice0winner2_best_late_cost_0_3;
-      slice0winner3_best_second_0_1_choice_2 := slice0winner2_best_but_first_0_3 when slice0winner3_best_at_end_0_1
-        else slice0winner3_best_second_0_1_choice;
-      slice0winner3_best_second_0_1_choice_3 := slice0winner2_best_late_cost_0_2 when slice0winner3_best_place_0_1 else
-        slice0winner2_best_second_0_2;
-      slice0winner3_best_second_0_1_choice_4 := slice0winner2_best_but_last_0_2 when slice0winner3_best_at_start_0_1
-        else slice0winner3_best_second_0_1_choice_3;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when (slice0winner2_best_cost_0_1 -
-        slice0winner2_best_cost_0_0) < 0 else slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when (slice0winner2_best_cost_0_3 -
-        slice0winner2_best_cost_0_2) < 0 else slice0winner2_best_cost_0_2;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_index_0_0_is_not_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_index_0_1_is_not_less else
-        slice0winner2_best_index_0_2;
-      slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice when slice0winner3_best_index_0_0_is_not_less
-        else slice0winner2_best_below_0_0;
-      slice0winner3_best_below_0_1 <= slice0winner3_best_below_0_1_choice when slice0winner3_best_index_0_1_is_not_less
-        else slice0winner2_best_below_0_2;
-      slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1 when slice0winner3_best_index_0_0_is_not_less else
-        slice0winner3_best_above_0_0_choice;
-      slice0winner3_best_above_0_1 <= slice0winner2_best_above_0_3 when slice0winner3_best_index_0_1_is_not_less else
-        slice0winner3_best_above_0_1_choice;
+      if ((slice0winner2_best_index_0_2 / 8) = 1) and slice0winner3_best_above_0_1_is_equal then
+        slice0winner3_best_above_0_1_choice := slice0winner2_best_first_0_3;
+      else
+        slice0winner3_best_above_0_1_choice := slice0winner2_best_above_0_2;
+      end if;
+      if slice0winner3_best_place_0_0 then
+        slice0winner3_best_second_0_0_choice := slice0winner2_best_second_0_1;
+      else
+        slice0winner3_best_second_0_0_choice := slice0winner2_best_late_cost_0_1;
+      end if;
+      if slice0winner3_best_at_end_0_0 then
+        slice0winner3_best_second_0_0_choice_2 := slice0winner2_best_but_first_0_1;
+      else
+        slice0winner3_best_second_0_0_choice_2 := slice0winner3_best_second_0_0_choice;
+      end if;
+      if slice0winner3_best_place_0_0 then
+        slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_late_cost_0_0;
+      else
+        slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_second_0_0;
+      end if;
+      if slice0winner3_best_at_start_0_0 then
+        slice0winner3_best_second_0_0_choice_4 := slice0winner2_best_but_last_0_0;
+      else
+        slice0winner3_best_second_0_0_choice_4 := slice0winner3_best_second_0_0_choice_3;
+      end if;
+      if slice0winner3_best_place_0_1 then
+        slice0winner3_best_second_0_1_choice := slice0winner2_best_second_0_3;
+      else
+        slice0winner3_best_second_0_1_choice := slice0winner2_best_late_cost_0_3;
+      end if;
+      if slice0winner3_best_at_end_0_1 then
+        slice0winner3_best_second_0_1_choice_2 := slice0winner2_best_but_first_0_3;
+      else
+        slice0winner3_best_second_0_1_choice_2 := slice0winner3_best_second_0_1_choice;
+      end if;
+      if slice0winner3_best_place_0_1 then
+        slice0winner3_best_second_0_1_choice_3 := slice0winner2_best_late_cost_0_2;
+      else
+        slice0winner3_best_second_0_1_choice_3 := slice0winner2_best_second_0_2;
+      end if;
+      if slice0winner3_best_at_start_0_1 then
+        slice0winner3_best_second_0_1_choice_4 := slice0winner2_best_but_last_0_2;
+      else
+        slice0winner3_best_second_0_1_choice_4 := slice0winner3_best_second_0_1_choice_3;
+      end if;
       slice0winner3_best_first_0_1 <= slice0winner2_best_first_0_2;
       slice0winner3_best_last_0_0 <= slice0winner2_best_last_0_1;
       slice0winner3_best_last_0_1 <= slice0winner2_best_last_0_3;
@@ -2785,62 +3622,132 @@ begin
         ((slice0winner2_best_index_0_2 / 8) = 1) and slice0winner3_best_above_0_1_is_equal;
       slice0winner3_best_late_cost_0_0 <= slice0winner3_best_cost_0_0;
       slice0winner3_best_late_cost_0_1 <= slice0winner3_best_cost_0_1;
-      slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_2 when
-        (slice0winner3_best_second_0_0_choice_2 - slice0winner3_best_second_0_0_choice_4) < 0 else
-        slice0winner3_best_second_0_0_choice_4;
-      slice0winner3_best_second_0_1 <= slice0winner3_best_second_0_1_choice_2 when
-        (slice0winner3_best_second_0_1_choice_2 - slice0winner3_best_second_0_1_choice_4) < 0 else
-        slice0winner3_best_second_0_1_choice_4;
-      slice0winner3_best_but_first_0_1 <= slice0winner2_best_late_cost_0_3 when (slice0winner2_best_late_cost_0_3 -
-        slice0winner2_best_but_first_0_2) < 0 else slice0winner2_best_but_first_0_2;
-      slice0winner3_best_but_last_0_0 <= slice0winner2_best_but_last_0_1 when (slice0winner2_best_but_last_0_1 -
-        slice0winner2_best_late_cost_0_0) < 0 else slice0winner2_best_late_cost_0_0;
-      slice0winner3_best_but_last_0_1 <= slice0winner2_best_but_last_0_3 when (slice0winner2_best_but_last_0_3 -
-        slice0winner2_best_late_cost_0_2) < 0 else slice0winner2_best_late_cost_0_2;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      if (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0 then
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+      end if;
+      if (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0 then
+        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3;
+      else
+        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
+      end if;
+      if slice0winner3_best_index_0_0_is_not_less then
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+        slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice;
+        slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1;
+      else
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+        slice0winner3_best_below_0_0 <= slice0winner2_best_below_0_0;
+        slice0winner3_best_above_0_0 <= slice0winner3_best_above_0_0_choice;
+      end if;
+      if slice0winner3_best_index_0_1_is_not_less then
+        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
+        slice0winner3_best_below_0_1 <= slice0winner3_best_below_0_1_choice;
+        slice0winner3_best_above_0_1 <= slice0winner2_best_above_0_3;
+      else
+        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
+        slice0winner3_best_below_0_1 <= slice0winner2_best_below_0_2;
+        slice0winner3_best_above_0_1 <= slice0winner3_best_above_0_1_choice;
+      end if;
+      if (slice0winner3_best_second_0_0_choice_2 - slice0winner3_best_second_0_0_choice_4) < 0 then
+        slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_2;
+      else
+        slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_4;
+      end if;
+      if (slice0winner3_best_second_0_1_choice_2 - slice0winner3_best_second_0_1_choice_4) < 0 then
+        slice0winner3_best_second_0_1 <= slice0winner3_best_second_0_1_choice_2;
+      else
+        slice0winner3_best_second_0_1 <= slice0winner3_best_second_0_1_choice_4;
+      end if;
+      if (slice0winner2_best_late_cost_0_3 - slice0winner2_best_but_first_0_2) < 0 then
+        slice0winner3_best_but_first_0_1 <= slice0winner2_best_late_cost_0_3;
+      else
+        slice0winner3_best_but_first_0_1 <= slice0winner2_best_but_first_0_2;
+      end if;
+      if (slice0winner2_best_but_last_0_1 - slice0winner2_best_late_cost_0_0) < 0 then
+        slice0winner3_best_but_last_0_0 <= slice0winner2_best_but_last_0_1;
+      else
+        slice0winner3_best_but_last_0_0 <= slice0winner2_best_late_cost_0_0;
+      end if;
+      if (slice0winner2_best_but_last_0_3 - slice0winner2_best_late_cost_0_2) < 0 then
+        slice0winner3_best_but_last_0_1 <= slice0winner2_best_but_last_0_3;
+      else
+        slice0winner3_best_but_last_0_1 <= slice0winner2_best_late_cost_0_2;
+      end if;
       -- slice0winner4
       slice0winner4_best_index_0_0_is_less := (slice0winner3_best_cost_0_0 - slice0winner3_best_cost_0_1) < 0;
       slice0winner4_best_below_0_0_is_equal := slice0winner3_best_index_0_1 = 8;
-      slice0winner4_best_below_0_0_choice := slice0winner3_best_last_0_0 when slice0winner4_best_below_0_0_is_equal
-        else slice0winner3_best_below_0_1;
+      if slice0winner4_best_below_0_0_is_equal then
+        slice0winner4_best_below_0_0_choice := slice0winner3_best_last_0_0;
+      else
+        slice0winner4_best_below_0_0_choice := slice0winner3_best_below_0_1;
+      end if;
       slice0winner4_best_above_0_0_is_equal := slice0winner3_best_index_0_0 = 7;
-      slice0winner4_best_above_0_0_choice := slice0winner3_best_first_0_1 when slice0winner4_best_above_0_0_is_equal
-        else slice0winner3_best_above_0_0;
+      if slice0winner4_best_above_0_0_is_equal then
+        slice0winner4_best_above_0_0_choice := slice0winner3_best_first_0_1;
+      else
+        slice0winner4_best_above_0_0_choice := slice0winner3_best_above_0_0;
+      end if;
       slice0winner4_best_place_0_0_is_not_less := (slice0winner3_best_cost_0_0 - slice0winner3_best_cost_0_1) >= 0;
-      slice0winner4_best_second_0_0_choice := slice0winner3_best_second_0_1 when slice0winner4_best_place_0_0 else
-        slice0winner3_best_late_cost_0_1;
-      slice0winner4_best_second_0_0_choice_2 := slice0winner3_best_but_first_0_1 when slice0winner4_best_at_end_0_0
-        else slice0winner4_best_second_0_0_choice;
-      slice0winner4_best_second_0_0_choice_3 := slice0winner3_best_late_cost_0_0 when slice0winner4_best_place_0_0 else
-        slice0winner3_best_second_0_0;
-      slice0winner4_best_second_0_0_choice_4 := slice0winner3_best_but_last_0_0 when slice0winner4_best_at_start_0_0
-        else slice0winner4_best_second_0_0_choice_3;
-      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when (slice0winner3_best_cost_0_1 -
-        slice0winner3_best_cost_0_0) < 0 else slice0winner3_best_cost_0_0;
-      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0 when slice0winner4_best_index_0_0_is_less else
-        slice0winner3_best_index_0_1;
-      slice0winner4_best_below_0_0 <= slice0winner3_best_below_0_0 when slice0winner4_best_index_0_0_is_less else
-        slice0winner4_best_below_0_0_choice;
-      slice0winner4_best_above_0_0 <= slice0winner4_best_above_0_0_choice when slice0winner4_best_index_0_0_is_less
-        else slice0winner3_best_above_0_1;
+      if slice0winner4_best_place_0_0 then
+        slice0winner4_best_second_0_0_choice := slice0winner3_best_second_0_1;
+      else
+        slice0winner4_best_second_0_0_choice := slice0winner3_best_late_cost_0_1;
+      end if;
+      if slice0winner4_best_at_end_0_0 then
+        slice0winner4_best_second_0_0_choice_2 := slice0winner3_best_but_first_0_1;
+      else
+        slice0winner4_best_second_0_0_choice_2 := slice0winner4_best_second_0_0_choice;
+      end if;
+      if slice0winner4_best_place_0_0 then
+        slice0winner4_best_second_0_0_choice_3 := slice0winner3_best_late_cost_0_0;
+      else
+        slice0winner4_best_second_0_0_choice_3 := slice0winner3_best_second_0_0;
+      end if;
+      if slice0winner4_best_at_start_0_0 then
+        slice0winner4_best_second_0_0_choice_4 := slice0winner3_best_but_last_0_0;
+      else
+        slice0winner4_best_second_0_0_choice_4 := slice0winner4_best_second_0_0_choice_3;
+      end if;
       slice0winner4_best_last_0_0 <= slice0winner3_best_last_0_1;
       slice0winner4_best_place_0_0 <= slice0winner4_best_place_0_0_is_not_less;
       slice0winner4_best_at_start_0_0 <= slice0winner4_best_below_0_0_is_equal and
         slice0winner4_best_place_0_0_is_not_less;
       slice0winner4_best_at_end_0_0 <= slice0winner4_best_index_0_0_is_less and slice0winner4_best_above_0_0_is_equal;
       slice0winner4_best_late_cost_0_0 <= slice0winner4_best_cost_0_0;
-      slice0winner4_best_second_0_0 <= slice0winner4_best_second_0_0_choice_2 when
-        (slice0winner4_best_second_0_0_choice_2 - slice0winner4_best_second_0_0_choice_4) < 0 else
-        slice0winner4_best_second_0_0_choice_4;
-      slice0winner4_best_but_last_0_0 <= slice0winner3_best_but_last_0_1 when (slice0winner3_best_but_last_0_1 -
-        slice0winner3_best_late_cost_0_0) < 0 else slice0winner3_best_late_cost_0_0;
       slice0winner4_tag_valid <= slice0winner3_tag_valid;
       slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
       slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
       slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      if (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0 then
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1;
+      else
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+      end if;
+      if slice0winner4_best_index_0_0_is_less then
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
+        slice0winner4_best_below_0_0 <= slice0winner3_best_below_0_0;
+        slice0winner4_best_above_0_0 <= slice0winner4_best_above_0_0_choice;
+      else
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
+        slice0winner4_best_below_0_0 <= slice0winner4_best_below_0_0_choice;
+        slice0winner4_best_above_0_0 <= slice0winner3_best_above_0_1;
+      end if;
+      if (slice0winner4_best_second_0_0_choice_2 - slice0winner4_best_second_0_0_choice_4) < 0 then
+        slice0winner4_best_second_0_0 <= slice0winner4_best_second_0_0_choice_2;
+      else
+        slice0winner4_best_second_0_0 <= slice0winner4_best_second_0_0_choice_4;
+      end if;
+      if (slice0winner3_best_but_last_0_1 - slice0winner3_best_late_cost_0_0) < 0 then
+        slice0winner4_best_but_last_0_0 <= slice0winner3_best_but_last_0_1;
+      else
+        slice0winner4_best_but_last_0_0 <= slice0winner3_best_late_cost_0_0;
+      end if;
       -- slice0
       slice0_best_index_0_0 <= slice0winner4_best_index_0_0;
       slice0_best_below_0_0 <= slice0winner4_best_below_0_0;
@@ -2893,56 +3800,166 @@ begin
       slice1shift_search_out_0 <= slice1shift_search_0_15;
       slice1shift_search_out_1 <= slice1shift_search_1_15;
       -- slice1cost
-      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 mod 1024;
-      slice1cost_column_0_0_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_0 +
-        slice1cost_column_0_0_choice) mod 1024;
-      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_0 / 1024) mod 1024;
-      slice1cost_column_0_1_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_1 +
-        slice1cost_column_0_1_choice) mod 1024;
-      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 / 1048576;
-      slice1cost_column_0_2_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_2 +
-        slice1cost_column_0_2_choice) mod 1024;
-      slice1cost_column_0_3_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 mod 1024;
-      slice1cost_column_0_3_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_3 +
-        slice1cost_column_0_3_choice) mod 1024;
-      slice1cost_column_0_4_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_1 / 1024) mod 1024;
-      slice1cost_column_0_4_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_4 +
-        slice1cost_column_0_4_choice) mod 1024;
-      slice1cost_column_0_5_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 / 1048576;
-      slice1cost_column_0_5_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_5 +
-        slice1cost_column_0_5_choice) mod 1024;
-      slice1cost_column_0_6_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_2 mod 1024;
-      slice1cost_column_0_6_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_6 +
-        slice1cost_column_0_6_choice) mod 1024;
-      slice1cost_column_0_7_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_2 / 1024) mod 1024;
-      slice1cost_column_0_7_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_7 +
-        slice1cost_column_0_7_choice) mod 1024;
-      slice1cost_column_0_8_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_2 / 1048576;
-      slice1cost_column_0_8_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_8 +
-        slice1cost_column_0_8_choice) mod 1024;
-      slice1cost_column_0_9_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_3 mod 1024;
-      slice1cost_column_0_9_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_9 +
-        slice1cost_column_0_9_choice) mod 1024;
-      slice1cost_column_0_10_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_3 / 1024) mod
-        1024;
-      slice1cost_column_0_10_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_10 +
-        slice1cost_column_0_10_choice) mod 1024;
-      slice1cost_column_0_11_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_3 / 1048576;
-      slice1cost_column_0_11_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_11 +
-        slice1cost_column_0_11_choice) mod 1024;
-      slice1cost_column_0_12_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_4 mod 1024;
-      slice1cost_column_0_12_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_12 +
-        slice1cost_column_0_12_choice) mod 1024;
-      slice1cost_column_0_13_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_4 / 1024) mod
-        1024;
-      slice1cost_column_0_13_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_13 +
-        slice1cost_column_0_13_choice) mod 1024;
-      slice1cost_column_0_14_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_4 / 1048576;
-      slice1cost_column_0_14_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_14 +
-        slice1cost_column_0_14_choice) mod 1024;
-      slice1cost_column_0_15_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_5;
-      slice1cost_column_0_15_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_15 +
-        slice1cost_column_0_15_choice) mod 1024;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_0_choice := 0;
+      else
+        slice1cost_column_0_0_choice := slice1cost_ready_words_0 mod 1024;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0_choice_2 := 0;
+      else
+        slice1cost_column_0_0_choice_2 := (slice1cost_change_0_0 + slice1cost_column_0_0_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_1_choice := 0;
+      else
+        slice1cost_column_0_1_choice := (slice1cost_ready_words_0 / 1024) mod 1024;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_1_choice_2 := 0;
+      else
+        slice1cost_column_0_1_choice_2 := (slice1cost_change_0_1 + slice1cost_column_0_1_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_2_choice := 0;
+      else
+        slice1cost_column_0_2_choice := slice1cost_ready_words_0 / 1048576;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_2_choice_2 := 0;
+      else
+        slice1cost_column_0_2_choice_2 := (slice1cost_change_0_2 + slice1cost_column_0_2_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_3_choice := 0;
+      else
+        slice1cost_column_0_3_choice := slice1cost_ready_words_1 mod 1024;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_3_choice_2 := 0;
+      else
+        slice1cost_column_0_3_choice_2 := (slice1cost_change_0_3 + slice1cost_column_0_3_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_4_choice := 0;
+      else
+        slice1cost_column_0_4_choice := (slice1cost_ready_words_1 / 1024) mod 1024;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_4_choice_2 := 0;
+      else
+        slice1cost_column_0_4_choice_2 := (slice1cost_change_0_4 + slice1cost_column_0_4_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_5_choice := 0;
+      else
+        slice1cost_column_0_5_choice := slice1cost_ready_words_1 / 1048576;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_5_choice_2 := 0;
+      else
+        slice1cost_column_0_5_choice_2 := (slice1cost_change_0_5 + slice1cost_column_0_5_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_6_choice := 0;
+      else
+        slice1cost_column_0_6_choice := slice1cost_ready_words_2 mod 1024;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_6_choice_2 := 0;
+      else
+        slice1cost_column_0_6_choice_2 := (slice1cost_change_0_6 + slice1cost_column_0_6_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_7_choice := 0;
+      else
+        slice1cost_column_0_7_choice := (slice1cost_ready_words_2 / 1024) mod 1024;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_7_choice_2 := 0;
+      else
+        slice1cost_column_0_7_choice_2 := (slice1cost_change_0_7 + slice1cost_column_0_7_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_8_choice := 0;
+      else
+        slice1cost_column_0_8_choice := slice1cost_ready_words_2 / 1048576;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_8_choice_2 := 0;
+      else
+        slice1cost_column_0_8_choice_2 := (slice1cost_change_0_8 + slice1cost_column_0_8_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_9_choice := 0;
+      else
+        slice1cost_column_0_9_choice := slice1cost_ready_words_3 mod 1024;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_9_choice_2 := 0;
+      else
+        slice1cost_column_0_9_choice_2 := (slice1cost_change_0_9 + slice1cost_column_0_9_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_10_choice := 0;
+      else
+        slice1cost_column_0_10_choice := (slice1cost_ready_words_3 / 1024) mod 1024;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_10_choice_2 := 0;
+      else
+        slice1cost_column_0_10_choice_2 := (slice1cost_change_0_10 + slice1cost_column_0_10_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_11_choice := 0;
+      else
+        slice1cost_column_0_11_choice := slice1cost_ready_words_3 / 1048576;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_11_choice_2 := 0;
+      else
+        slice1cost_column_0_11_choice_2 := (slice1cost_change_0_11 + slice1cost_column_0_11_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_12_choice := 0;
+      else
+        slice1cost_column_0_12_choice := slice1cost_ready_words_4 mod 1024;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_12_choice_2 := 0;
+      else
+        slice1cost_column_0_12_choice_2 := (slice1cost_change_0_12 + slice1cost_column_0_12_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_13_choice := 0;
+      else
+        slice1cost_column_0_13_choice := (slice1cost_ready_words_4 / 1024) mod 1024;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_13_choice_2 := 0;
+      else
+        slice1cost_column_0_13_choice_2 := (slice1cost_change_0_13 + slice1cost_column_0_13_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_14_choice := 0;
+      else
+        slice1cost_column_0_14_choice := slice1cost_ready_words_4 / 1048576;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_14_choice_2 := 0;
+      else
+        slice1cost_column_0_14_choice_2 := (slice1cost_change_0_14 + slice1cost_column_0_14_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_15_choice := 0;
+      else
+        slice1cost_column_0_15_choice := slice1cost_ready_words_5;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_15_choice_2 := 0;
+      else
+        slice1cost_column_0_15_choice_2 := (slice1cost_change_0_15 + slice1cost_column_0_15_choice) mod 1024;
+      end if;
       slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_pixels_first_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -3078,9 +4095,12 @@ begin
       end if;
       -- slice1window
       if slice0window_entering_tag_valid then
-        slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 15 else
-          (slice1window_ring_read_address + 1) mod 16;
         slice1window_ring_write_address <= slice1window_ring_read_address;
+        if slice1window_ring_read_address = 15 then
+          slice1window_ring_read_address <= 0;
+        else
+          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice0window_change_tag_leaves_window then
         slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(9 downto 0));
@@ -3199,22 +4219,86 @@ begin
       slice1window_centre_output_column_0 <= slice0window_centre_output_column_0;
       slice1window_centre_start_of_frame_1 <= slice0window_centre_start_of_frame_1;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
-      slice1window_sum_0_0_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_0;
-      slice1window_sum_0_1_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_1;
-      slice1window_sum_0_2_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_2;
-      slice1window_sum_0_3_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_3;
-      slice1window_sum_0_4_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_4;
-      slice1window_sum_0_5_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_5;
-      slice1window_sum_0_6_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_6;
-      slice1window_sum_0_7_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_7;
-      slice1window_sum_0_8_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_8;
-      slice1window_sum_0_9_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_9;
-      slice1window_sum_0_10_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_10;
-      slice1window_sum_0_11_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_11;
-      slice1window_sum_0_12_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_12;
-      slice1window_sum_0_13_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_13;
-      slice1window_sum_0_14_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_14;
-      slice1window_sum_0_15_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_15;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_0_choice := 0;
+      else
+        slice1window_sum_0_0_choice := slice1window_sum_0_0;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_1_choice := 0;
+      else
+        slice1window_sum_0_1_choice := slice1window_sum_0_1;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_2_choice := 0;
+      else
+        slice1window_sum_0_2_choice := slice1window_sum_0_2;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_3_choice := 0;
+      else
+        slice1window_sum_0_3_choice := slice1window_sum_0_3;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_4_choice := 0;
+      else
+        slice1window_sum_0_4_choice := slice1window_sum_0_4;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_5_choice := 0;
+      else
+        slice1window_sum_0_5_choice := slice1window_sum_0_5;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_6_choice := 0;
+      else
+        slice1window_sum_0_6_choice := slice1window_sum_0_6;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_7_choice := 0;
+      else
+        slice1window_sum_0_7_choice := slice1window_sum_0_7;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_8_choice := 0;
+      else
+        slice1window_sum_0_8_choice := slice1window_sum_0_8;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_9_choice := 0;
+      else
+        slice1window_sum_0_9_choice := slice1window_sum_0_9;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_10_choice := 0;
+      else
+        slice1window_sum_0_10_choice := slice1window_sum_0_10;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_11_choice := 0;
+      else
+        slice1window_sum_0_11_choice := slice1window_sum_0_11;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_12_choice := 0;
+      else
+        slice1window_sum_0_12_choice := slice1window_sum_0_12;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_13_choice := 0;
+      else
+        slice1window_sum_0_13_choice := slice1window_sum_0_13;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_14_choice := 0;
+      else
+        slice1window_sum_0_14_choice := slice1window_sum_0_14;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_15_choice := 0;
+      else
+        slice1window_sum_0_15_choice := slice1window_sum_0_15;
+      end if;
       if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 16384;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 16384;
@@ -3263,46 +4347,7 @@ begin
       slice1winner1_held_0_13 <= slice1window_sum_0_13;
       slice1winner1_held_0_14 <= slice1window_sum_0_14;
       slice1winner1_held_0_15 <= slice1window_sum_0_15;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when (slice1window_sum_0_1 - slice1window_sum_0_0) < 0 else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when (slice1window_sum_0_3 - slice1window_sum_0_2) < 0 else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when (slice1window_sum_0_5 - slice1window_sum_0_4) < 0 else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when (slice1window_sum_0_7 - slice1window_sum_0_6) < 0 else
-        slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when (slice1window_sum_0_9 - slice1window_sum_0_8) < 0 else
-        slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when (slice1window_sum_0_11 - slice1window_sum_0_10) < 0
-        else slice1window_sum_0_10;
-      slice1winner1_best_cost_0_6 <= slice1window_sum_0_13 when (slice1window_sum_0_13 - slice1window_sum_0_12) < 0
-        else slice1window_sum_0_12;
-      slice1winner1_best_cost_0_7 <= slice1window_sum_0_15 when (slice1window_sum_0_15 - slice1window_sum_0_14) < 0
-        else slice1window_sum_0_14;
       slice1winner1_best_index_0_0 <= slice1winner1_best_index_0_0_is_not_less;
-      slice1winner1_best_index_0_1 <= 2 when slice1winner1_best_index_0_1_is_less else 3;
-      slice1winner1_best_index_0_2 <= 4 when slice1winner1_best_index_0_2_is_less else 5;
-      slice1winner1_best_index_0_3 <= 6 when slice1winner1_best_index_0_3_is_less else 7;
-      slice1winner1_best_index_0_4 <= 8 when slice1winner1_best_index_0_4_is_less else 9;
-      slice1winner1_best_index_0_5 <= 10 when slice1winner1_best_index_0_5_is_less else 11;
-      slice1winner1_best_index_0_6 <= 12 when slice1winner1_best_index_0_6_is_less else 13;
-      slice1winner1_best_index_0_7 <= 14 when slice1winner1_best_index_0_7_is_less else 15;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_index_0_0_is_not_less else 0;
-      slice1winner1_best_below_0_1 <= 0 when slice1winner1_best_index_0_1_is_less else slice1window_sum_0_2;
-      slice1winner1_best_below_0_2 <= 0 when slice1winner1_best_index_0_2_is_less else slice1window_sum_0_4;
-      slice1winner1_best_below_0_3 <= 0 when slice1winner1_best_index_0_3_is_less else slice1window_sum_0_6;
-      slice1winner1_best_below_0_4 <= 0 when slice1winner1_best_index_0_4_is_less else slice1window_sum_0_8;
-      slice1winner1_best_below_0_5 <= 0 when slice1winner1_best_index_0_5_is_less else slice1window_sum_0_10;
-      slice1winner1_best_below_0_6 <= 0 when slice1winner1_best_index_0_6_is_less else slice1window_sum_0_12;
-      slice1winner1_best_below_0_7 <= 0 when slice1winner1_best_index_0_7_is_less else slice1window_sum_0_14;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_index_0_0_is_not_less else slice1window_sum_0_1;
-      slice1winner1_best_above_0_1 <= slice1window_sum_0_3 when slice1winner1_best_index_0_1_is_less else 0;
-      slice1winner1_best_above_0_2 <= slice1window_sum_0_5 when slice1winner1_best_index_0_2_is_less else 0;
-      slice1winner1_best_above_0_3 <= slice1window_sum_0_7 when slice1winner1_best_index_0_3_is_less else 0;
-      slice1winner1_best_above_0_4 <= slice1window_sum_0_9 when slice1winner1_best_index_0_4_is_less else 0;
-      slice1winner1_best_above_0_5 <= slice1window_sum_0_11 when slice1winner1_best_index_0_5_is_less else 0;
-      slice1winner1_best_above_0_6 <= slice1window_sum_0_13 when slice1winner1_best_index_0_6_is_less else 0;
-      slice1winner1_best_above_0_7 <= slice1window_sum_0_15 when slice1winner1_best_index_0_7_is_less else 0;
       slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
       slice1winner1_best_late_cost_0_1 <= slice1winner1_best_cost_0_1;
       slice1winner1_best_late_cost_0_2 <= slice1winner1_best_cost_0_2;
@@ -3327,89 +4372,243 @@ begin
       slice1winner1_best_but_last_0_5 <= slice1winner1_held_0_10;
       slice1winner1_best_but_last_0_6 <= slice1winner1_held_0_12;
       slice1winner1_best_but_last_0_7 <= slice1winner1_held_0_14;
+      if (slice1window_sum_0_1 - slice1window_sum_0_0) < 0 then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+      end if;
+      if (slice1window_sum_0_3 - slice1window_sum_0_2) < 0 then
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+      else
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+      end if;
+      if (slice1window_sum_0_5 - slice1window_sum_0_4) < 0 then
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+      else
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+      end if;
+      if (slice1window_sum_0_7 - slice1window_sum_0_6) < 0 then
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_7;
+      else
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_6;
+      end if;
+      if (slice1window_sum_0_9 - slice1window_sum_0_8) < 0 then
+        slice1winner1_best_cost_0_4 <= slice1window_sum_0_9;
+      else
+        slice1winner1_best_cost_0_4 <= slice1window_sum_0_8;
+      end if;
+      if (slice1window_sum_0_11 - slice1window_sum_0_10) < 0 then
+        slice1winner1_best_cost_0_5 <= slice1window_sum_0_11;
+      else
+        slice1winner1_best_cost_0_5 <= slice1window_sum_0_10;
+      end if;
+      if (slice1window_sum_0_13 - slice1window_sum_0_12) < 0 then
+        slice1winner1_best_cost_0_6 <= slice1window_sum_0_13;
+      else
+        slice1winner1_best_cost_0_6 <= slice1window_sum_0_12;
+      end if;
+      if (slice1window_sum_0_15 - slice1window_sum_0_14) < 0 then
+        slice1winner1_best_cost_0_7 <= slice1window_sum_0_15;
+      else
+        slice1winner1_best_cost_0_7 <= slice1window_sum_0_14;
+      end if;
+      if slice1winner1_best_index_0_1_is_less then
+        slice1winner1_best_index_0_1 <= 2;
+        slice1winner1_best_below_0_1 <= 0;
+        slice1winner1_best_above_0_1 <= slice1window_sum_0_3;
+      else
+        slice1winner1_best_index_0_1 <= 3;
+        slice1winner1_best_below_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_above_0_1 <= 0;
+      end if;
+      if slice1winner1_best_index_0_2_is_less then
+        slice1winner1_best_index_0_2 <= 4;
+        slice1winner1_best_below_0_2 <= 0;
+        slice1winner1_best_above_0_2 <= slice1window_sum_0_5;
+      else
+        slice1winner1_best_index_0_2 <= 5;
+        slice1winner1_best_below_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_above_0_2 <= 0;
+      end if;
+      if slice1winner1_best_index_0_3_is_less then
+        slice1winner1_best_index_0_3 <= 6;
+        slice1winner1_best_below_0_3 <= 0;
+        slice1winner1_best_above_0_3 <= slice1window_sum_0_7;
+      else
+        slice1winner1_best_index_0_3 <= 7;
+        slice1winner1_best_below_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_above_0_3 <= 0;
+      end if;
+      if slice1winner1_best_index_0_4_is_less then
+        slice1winner1_best_index_0_4 <= 8;
+        slice1winner1_best_below_0_4 <= 0;
+        slice1winner1_best_above_0_4 <= slice1window_sum_0_9;
+      else
+        slice1winner1_best_index_0_4 <= 9;
+        slice1winner1_best_below_0_4 <= slice1window_sum_0_8;
+        slice1winner1_best_above_0_4 <= 0;
+      end if;
+      if slice1winner1_best_index_0_5_is_less then
+        slice1winner1_best_index_0_5 <= 10;
+        slice1winner1_best_below_0_5 <= 0;
+        slice1winner1_best_above_0_5 <= slice1window_sum_0_11;
+      else
+        slice1winner1_best_index_0_5 <= 11;
+        slice1winner1_best_below_0_5 <= slice1window_sum_0_10;
+        slice1winner1_best_above_0_5 <= 0;
+      end if;
+      if slice1winner1_best_index_0_6_is_less then
+        slice1winner1_best_index_0_6 <= 12;
+        slice1winner1_best_below_0_6 <= 0;
+        slice1winner1_best_above_0_6 <= slice1window_sum_0_13;
+      else
+        slice1winner1_best_index_0_6 <= 13;
+        slice1winner1_best_below_0_6 <= slice1window_sum_0_12;
+        slice1winner1_best_above_0_6 <= 0;
+      end if;
+      if slice1winner1_best_index_0_7_is_less then
+        slice1winner1_best_index_0_7 <= 14;
+        slice1winner1_best_below_0_7 <= 0;
+        slice1winner1_best_above_0_7 <= slice1window_sum_0_15;
+      else
+        slice1winner1_best_index_0_7 <= 15;
+        slice1winner1_best_below_0_7 <= slice1window_sum_0_14;
+        slice1winner1_best_above_0_7 <= 0;
+      end if;
+      if slice1winner1_best_index_0_0_is_not_less then
+        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+      end if;
       -- slice1winner2
       slice1winner2_best_index_0_0_is_not_less := (slice1winner1_best_cost_0_0 - slice1winner1_best_cost_0_1) >= 0;
       slice1winner2_best_index_0_1_is_not_less := (slice1winner1_best_cost_0_2 - slice1winner1_best_cost_0_3) >= 0;
       slice1winner2_best_index_0_2_is_not_less := (slice1winner1_best_cost_0_4 - slice1winner1_best_cost_0_5) >= 0;
       slice1winner2_best_index_0_3_is_not_less := (slice1winner1_best_cost_0_6 - slice1winner1_best_cost_0_7) >= 0;
-      slice1winner2_best_below_0_0_choice := slice1winner1_held_0_1 when other_15 else slice1winner1_best_below_0_1;
-      slice1winner2_best_below_0_1_choice := slice1winner1_held_0_5 when other_16 else slice1winner1_best_below_0_3;
-      slice1winner2_best_below_0_2_choice := slice1winner1_held_0_9 when other_17 else slice1winner1_best_below_0_5;
-      slice1winner2_best_below_0_3_choice := slice1winner1_held_0_13 when other_18 else slice1winner1_best_below_0_7;
-      slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_above_0_1_choice := slice1winner1_held_0_6 when ((slice1winner1_best_index_0_2 / 4) = 1) and
-        ((slice1winner1_best_index_0_2 mod 2) = 1) else slice1winner1_best_above_0_2;
-      slice1winner2_best_above_0_2_choice := slice1winner1_held_0_10 when ((slice1winner1_best_index_0_4 / 8) = 1) and
-        ((slice1winner1_best_index_0_4 mod 2) = 1) else slice1winner1_best_above_0_4;
+      if other_15 then
+        slice1winner2_best_below_0_0_choice := slice1winner1_held_0_1;
+      else
+        slice1winner2_best_below_0_0_choice := slice1winner1_best_below_0_1;
+      end if;
+      if other_16 then
+        slice1winner2_best_below_0_1_choice := slice1winner1_held_0_5;
+      else
+        slice1winner2_best_below_0_1_choice := slice1winner1_best_below_0_3;
+      end if;
+      if other_17 then
+        slice1winner2_best_below_0_2_choice := slice1winner1_held_0_9;
+      else
+        slice1winner2_best_below_0_2_choice := slice1winner1_best_below_0_5;
+      end if;
+      if other_18 then
+        slice1winner2_best_below_0_3_choice := slice1winner1_held_0_13;
+      else
+        slice1winner2_best_below_0_3_choice := slice1winner1_best_below_0_7;
+      end if;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
+      if ((slice1winner1_best_index_0_2 / 4) = 1) and ((slice1winner1_best_index_0_2 mod 2) = 1) then
+        slice1winner2_best_above_0_1_choice := slice1winner1_held_0_6;
+      else
+        slice1winner2_best_above_0_1_choice := slice1winner1_best_above_0_2;
+      end if;
+      if ((slice1winner1_best_index_0_4 / 8) = 1) and ((slice1winner1_best_index_0_4 mod 2) = 1) then
+        slice1winner2_best_above_0_2_choice := slice1winner1_held_0_10;
+      else
+        slice1winner2_best_above_0_2_choice := slice1winner1_best_above_0_4;
+      end if;
       slice1winner2_best_above_0_3_value := ((slice1winner1_best_index_0_6 / 4) mod 2) = 1;
-      slice1winner2_best_above_0_3_choice := slice1winner1_held_0_14 when ((slice1winner1_best_index_0_6 / 8) = 1) and
-        slice1winner2_best_above_0_3_value and ((slice1winner1_best_index_0_6 mod 2) = 1) else
-        slice1winner1_best_above_0_6;
-      slice1winner2_best_second_0_0_choice := 16383 when slice1winner2_best_place_0_0 else
-        slice1winner1_best_late_cost_0_1;
-      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_but_first_0_1 when slice1winner2_best_at_end_0_0
-        else slice1winner2_best_second_0_0_choice;
-      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_place_0_0 else
-        16383;
-      slice1winner2_best_second_0_0_choice_4 := slice1winner1_best_but_last_0_0 when slice1winner2_best_at_start_0_0
-        else slice1winner2_best_second_0_0_choice_3;
-      slice1winner2_best_second_0_1_choice := 16383 when slice1winner2_best_place_0_1 else
-        slice1winner1_best_late_cost_0_3;
-      slice1winner2_best_second_0_1_choice_2 := slice1winner1_best_but_first_0_3 when slice1winner2_best_at_end_0_1
-        else slice1winner2_best_second_0_1_choice;
-      slice1winner2_best_second_0_1_choice_3 := slice1winner1_best_late_cost_0_2 when slice1winner2_best_place_0_1 else
-        16383;
-      slice1winner2_best_second_0_1_choice_4 := slice1winner1_best_but_last_0_2 when slice1winner2_best_at_start_0_1
-        else slice1winner2_best_second_0_1_choice_3;
-      slice1winner2_best_second_0_2_choice := 16383 when slice1winner2_best_place_0_2 else
-        slice1winner1_best_late_cost_0_5;
-      slice1winner2_best_second_0_2_choice_2 := slice1winner1_best_but_first_0_5 when slice1winner2_best_at_end_0_2
-        else slice1winner2_best_second_0_2_choice;
-      slice1winner2_best_second_0_2_choice_3 := slice1winner1_best_late_cost_0_4 when slice1winner2_best_place_0_2 else
-        16383;
-      slice1winner2_best_second_0_2_choice_4 := slice1winner1_best_but_last_0_4 when slice1winner2_best_at_start_0_2
-        else slice1winner2_best_second_0_2_choice_3;
-      slice1winner2_best_second_0_3_choice := 16383 when slice1winner2_best_place_0_3 else
-        slice1winner1_best_late_cost_0_7;
-      slice1winner2_best_second_0_3_choice_2 := slice1winner1_best_but_first_0_7 when slice1winner2_best_at_end_0_3
-        else slice1winner2_best_second_0_3_choice;
-      slice1winner2_best_second_0_3_choice_3 := slice1winner1_best_late_cost_0_6 when slice1winner2_best_place_0_3 else
-        16383;
-      slice1winner2_best_second_0_3_choice_4 := slice1winner1_best_but_last_0_6 when slice1winner2_best_at_start_0_3
-        else slice1winner2_best_second_0_3_choice_3;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when (slice1winner1_best_cost_0_1 -
-        slice1winner1_best_cost_0_0) < 0 else slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when (slice1winner1_best_cost_0_3 -
-        slice1winner1_best_cost_0_2) < 0 else slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when (slice1winner1_best_cost_0_5 -
-        slice1winner1_best_cost_0_4) < 0 else slice1winner1_best_cost_0_4;
-      slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7 when (slice1winner1_best_cost_0_7 -
-        slice1winner1_best_cost_0_6) < 0 else slice1winner1_best_cost_0_6;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_index_0_0_is_not_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_index_0_1_is_not_less else
-        slice1winner1_best_index_0_2;
-      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_index_0_2_is_not_less else
-        slice1winner1_best_index_0_4;
-      slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7 when slice1winner2_best_index_0_3_is_not_less else
-        slice1winner1_best_index_0_6;
-      slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice when slice1winner2_best_index_0_0_is_not_less
-        else slice1winner1_best_below_0_0;
-      slice1winner2_best_below_0_1 <= slice1winner2_best_below_0_1_choice when slice1winner2_best_index_0_1_is_not_less
-        else slice1winner1_best_below_0_2;
-      slice1winner2_best_below_0_2 <= slice1winner2_best_below_0_2_choice when slice1winner2_best_index_0_2_is_not_less
-        else slice1winner1_best_below_0_4;
-      slice1winner2_best_below_0_3 <= slice1winner2_best_below_0_3_choice when slice1winner2_best_index_0_3_is_not_less
-        else slice1winner1_best_below_0_6;
-      slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1 when slice1winner2_best_index_0_0_is_not_less else
-        slice1winner2_best_above_0_0_choice;
-      slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_3 when slice1winner2_best_index_0_1_is_not_less else
-        slice1winner2_best_above_0_1_choice;
-      slice1winner2_best_above_0_2 <= slice1winner1_best_above_0_5 when slice1winner2_best_index_0_2_is_not_less else
-        slice1winner2_best_above_0_2_choice;
-      slice1winner2_best_above_0_3 <= slice1winner1_best_above_0_7 when slice1winner2_best_index_0_3_is_not_less else
-        slice1winner2_best_above_0_3_choice;
+      if ((slice1winner1_best_index_0_6 / 8) = 1) and slice1winner2_best_above_0_3_value and
+        ((slice1winner1_best_index_0_6 mod 2) = 1) then
+        slice1winner2_best_above_0_3_choice := slice1winner1_held_0_14;
+      else
+        slice1winner2_best_above_0_3_choice := slice1winner1_best_above_0_6;
+      end if;
+      if slice1winner2_best_place_0_0 then
+        slice1winner2_best_second_0_0_choice := 16383;
+      else
+        slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1;
+      end if;
+      if slice1winner2_best_at_end_0_0 then
+        slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_but_first_0_1;
+      else
+        slice1winner2_best_second_0_0_choice_2 := slice1winner2_best_second_0_0_choice;
+      end if;
+      if slice1winner2_best_place_0_0 then
+        slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_late_cost_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_3 := 16383;
+      end if;
+      if slice1winner2_best_at_start_0_0 then
+        slice1winner2_best_second_0_0_choice_4 := slice1winner1_best_but_last_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_4 := slice1winner2_best_second_0_0_choice_3;
+      end if;
+      if slice1winner2_best_place_0_1 then
+        slice1winner2_best_second_0_1_choice := 16383;
+      else
+        slice1winner2_best_second_0_1_choice := slice1winner1_best_late_cost_0_3;
+      end if;
+      if slice1winner2_best_at_end_0_1 then
+        slice1winner2_best_second_0_1_choice_2 := slice1winner1_best_but_first_0_3;
+      else
+        slice1winner2_best_second_0_1_choice_2 := slice1winner2_best_second_0_1_choice;
+      end if;
+      if slice1winner2_best_place_0_1 then
+        slice1winner2_best_second_0_1_choice_3 := slice1winner1_best_late_cost_0_2;
+      else
+        slice1winner2_best_second_0_1_choice_3 := 16383;
+      end if;
+      if slice1winner2_best_at_start_0_1 then
+        slice1winner2_best_second_0_1_choice_4 := slice1winner1_best_but_last_0_2;
+      else
+        slice1winner2_best_second_0_1_choice_4 := slice1winner2_best_second_0_1_choice_3;
+      end if;
+      if slice1winner2_best_place_0_2 then
+        slice1winner2_best_second_0_2_choice := 16383;
+      else
+        slice1winner2_best_second_0_2_choice := slice1winner1_best_late_cost_0_5;
+      end if;
+      if slice1winner2_best_at_end_0_2 then
+        slice1winner2_best_second_0_2_choice_2 := slice1winner1_best_but_first_0_5;
+      else
+        slice1winner2_best_second_0_2_choice_2 := slice1winner2_best_second_0_2_choice;
+      end if;
+      if slice1winner2_best_place_0_2 then
+        slice1winner2_best_second_0_2_choice_3 := slice1winner1_best_late_cost_0_4;
+      else
+        slice1winner2_best_second_0_2_choice_3 := 16383;
+      end if;
+      if slice1winner2_best_at_start_0_2 then
+        slice1winner2_best_second_0_2_choice_4 := slice1winner1_best_but_last_0_4;
+      else
+        slice1winner2_best_second_0_2_choice_4 := slice1winner2_best_second_0_2_choice_3;
+      end if;
+      if slice1winner2_best_place_0_3 then
+        slice1winner2_best_second_0_3_choice := 16383;
+      else
+        slice1winner2_best_second_0_3_choice := slice1winner1_best_late_cost_0_7;
+      end if;
+      if slice1winner2_best_at_end_0_3 then
+        slice1winner2_best_second_0_3_choice_2 := slice1winner1_best_but_first_0_7;
+      else
+        slice1winner2_best_second_0_3_choice_2 := slice1winner2_best_second_0_3_choice;
+      end if;
+      if slice1winner2_best_place_0_3 then
+        slice1winner2_best_second_0_3_choice_3 := slice1winner1_best_late_cost_0_6;
+      else
+        slice1winner2_best_second_0_3_choice_3 := 16383;
+      end if;
+      if slice1winner2_best_at_start_0_3 then
+        slice1winner2_best_second_0_3_choice_4 := slice1winner1_best_but_last_0_6;
+      else
+        slice1winner2_best_second_0_3_choice_4 := slice1winner2_best_second_0_3_choice_3;
+      end if;
       slice1winner2_best_first_0_0 <= slice1winner1_held_0_0;
       slice1winner2_best_first_0_1 <= slice1winner1_held_0_4;
       slice1winner2_best_first_0_2 <= slice1winner1_held_0_8;
@@ -3439,81 +4638,189 @@ begin
       slice1winner2_best_late_cost_0_1 <= slice1winner2_best_cost_0_1;
       slice1winner2_best_late_cost_0_2 <= slice1winner2_best_cost_0_2;
       slice1winner2_best_late_cost_0_3 <= slice1winner2_best_cost_0_3;
-      slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_2 when
-        (slice1winner2_best_second_0_0_choice_2 - slice1winner2_best_second_0_0_choice_4) < 0 else
-        slice1winner2_best_second_0_0_choice_4;
-      slice1winner2_best_second_0_1 <= slice1winner2_best_second_0_1_choice_2 when
-        (slice1winner2_best_second_0_1_choice_2 - slice1winner2_best_second_0_1_choice_4) < 0 else
-        slice1winner2_best_second_0_1_choice_4;
-      slice1winner2_best_second_0_2 <= slice1winner2_best_second_0_2_choice_2 when
-        (slice1winner2_best_second_0_2_choice_2 - slice1winner2_best_second_0_2_choice_4) < 0 else
-        slice1winner2_best_second_0_2_choice_4;
-      slice1winner2_best_second_0_3 <= slice1winner2_best_second_0_3_choice_2 when
-        (slice1winner2_best_second_0_3_choice_2 - slice1winner2_best_second_0_3_choice_4) < 0 else
-        slice1winner2_best_second_0_3_choice_4;
-      slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1 when (slice1winner1_best_late_cost_0_1 -
-        slice1winner1_best_but_first_0_0) < 0 else slice1winner1_best_but_first_0_0;
-      slice1winner2_best_but_first_0_1 <= slice1winner1_best_late_cost_0_3 when (slice1winner1_best_late_cost_0_3 -
-        slice1winner1_best_but_first_0_2) < 0 else slice1winner1_best_but_first_0_2;
-      slice1winner2_best_but_first_0_2 <= slice1winner1_best_late_cost_0_5 when (slice1winner1_best_late_cost_0_5 -
-        slice1winner1_best_but_first_0_4) < 0 else slice1winner1_best_but_first_0_4;
-      slice1winner2_best_but_first_0_3 <= slice1winner1_best_late_cost_0_7 when (slice1winner1_best_late_cost_0_7 -
-        slice1winner1_best_but_first_0_6) < 0 else slice1winner1_best_but_first_0_6;
-      slice1winner2_best_but_last_0_0 <= slice1winner1_best_but_last_0_1 when (slice1winner1_best_but_last_0_1 -
-        slice1winner1_best_late_cost_0_0) < 0 else slice1winner1_best_late_cost_0_0;
-      slice1winner2_best_but_last_0_1 <= slice1winner1_best_but_last_0_3 when (slice1winner1_best_but_last_0_3 -
-        slice1winner1_best_late_cost_0_2) < 0 else slice1winner1_best_late_cost_0_2;
-      slice1winner2_best_but_last_0_2 <= slice1winner1_best_but_last_0_5 when (slice1winner1_best_but_last_0_5 -
-        slice1winner1_best_late_cost_0_4) < 0 else slice1winner1_best_late_cost_0_4;
-      slice1winner2_best_but_last_0_3 <= slice1winner1_best_but_last_0_7 when (slice1winner1_best_but_last_0_7 -
-        slice1winner1_best_late_cost_0_6) < 0 else slice1winner1_best_late_cost_0_6;
+      if (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0 then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+      end if;
+      if (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0 then
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3;
+      else
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+      end if;
+      if (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0 then
+        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5;
+      else
+        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_4;
+      end if;
+      if (slice1winner1_best_cost_0_7 - slice1winner1_best_cost_0_6) < 0 then
+        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_7;
+      else
+        slice1winner2_best_cost_0_3 <= slice1winner1_best_cost_0_6;
+      end if;
+      if slice1winner2_best_index_0_0_is_not_less then
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice;
+        slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1;
+      else
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      end if;
+      if slice1winner2_best_index_0_1_is_not_less then
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
+        slice1winner2_best_below_0_1 <= slice1winner2_best_below_0_1_choice;
+        slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_3;
+      else
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+        slice1winner2_best_below_0_1 <= slice1winner1_best_below_0_2;
+        slice1winner2_best_above_0_1 <= slice1winner2_best_above_0_1_choice;
+      end if;
+      if slice1winner2_best_index_0_2_is_not_less then
+        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
+        slice1winner2_best_below_0_2 <= slice1winner2_best_below_0_2_choice;
+        slice1winner2_best_above_0_2 <= slice1winner1_best_above_0_5;
+      else
+        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
+        slice1winner2_best_below_0_2 <= slice1winner1_best_below_0_4;
+        slice1winner2_best_above_0_2 <= slice1winner2_best_above_0_2_choice;
+      end if;
+      if slice1winner2_best_index_0_3_is_not_less then
+        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_7;
+        slice1winner2_best_below_0_3 <= slice1winner2_best_below_0_3_choice;
+        slice1winner2_best_above_0_3 <= slice1winner1_best_above_0_7;
+      else
+        slice1winner2_best_index_0_3 <= slice1winner1_best_index_0_6;
+        slice1winner2_best_below_0_3 <= slice1winner1_best_below_0_6;
+        slice1winner2_best_above_0_3 <= slice1winner2_best_above_0_3_choice;
+      end if;
+      if (slice1winner2_best_second_0_0_choice_2 - slice1winner2_best_second_0_0_choice_4) < 0 then
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_2;
+      else
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_4;
+      end if;
+      if (slice1winner2_best_second_0_1_choice_2 - slice1winner2_best_second_0_1_choice_4) < 0 then
+        slice1winner2_best_second_0_1 <= slice1winner2_best_second_0_1_choice_2;
+      else
+        slice1winner2_best_second_0_1 <= slice1winner2_best_second_0_1_choice_4;
+      end if;
+      if (slice1winner2_best_second_0_2_choice_2 - slice1winner2_best_second_0_2_choice_4) < 0 then
+        slice1winner2_best_second_0_2 <= slice1winner2_best_second_0_2_choice_2;
+      else
+        slice1winner2_best_second_0_2 <= slice1winner2_best_second_0_2_choice_4;
+      end if;
+      if (slice1winner2_best_second_0_3_choice_2 - slice1winner2_best_second_0_3_choice_4) < 0 then
+        slice1winner2_best_second_0_3 <= slice1winner2_best_second_0_3_choice_2;
+      else
+        slice1winner2_best_second_0_3 <= slice1winner2_best_second_0_3_choice_4;
+      end if;
+      if (slice1winner1_best_late_cost_0_1 - slice1winner1_best_but_first_0_0) < 0 then
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1;
+      else
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_but_first_0_0;
+      end if;
+      if (slice1winner1_best_late_cost_0_3 - slice1winner1_best_but_first_0_2) < 0 then
+        slice1winner2_best_but_first_0_1 <= slice1winner1_best_late_cost_0_3;
+      else
+        slice1winner2_best_but_first_0_1 <= slice1winner1_best_but_first_0_2;
+      end if;
+      if (slice1winner1_best_late_cost_0_5 - slice1winner1_best_but_first_0_4) < 0 then
+        slice1winner2_best_but_first_0_2 <= slice1winner1_best_late_cost_0_5;
+      else
+        slice1winner2_best_but_first_0_2 <= slice1winner1_best_but_first_0_4;
+      end if;
+      if (slice1winner1_best_late_cost_0_7 - slice1winner1_best_but_first_0_6) < 0 then
+        slice1winner2_best_but_first_0_3 <= slice1winner1_best_late_cost_0_7;
+      else
+        slice1winner2_best_but_first_0_3 <= slice1winner1_best_but_first_0_6;
+      end if;
+      if (slice1winner1_best_but_last_0_1 - slice1winner1_best_late_cost_0_0) < 0 then
+        slice1winner2_best_but_last_0_0 <= slice1winner1_best_but_last_0_1;
+      else
+        slice1winner2_best_but_last_0_0 <= slice1winner1_best_late_cost_0_0;
+      end if;
+      if (slice1winner1_best_but_last_0_3 - slice1winner1_best_late_cost_0_2) < 0 then
+        slice1winner2_best_but_last_0_1 <= slice1winner1_best_but_last_0_3;
+      else
+        slice1winner2_best_but_last_0_1 <= slice1winner1_best_late_cost_0_2;
+      end if;
+      if (slice1winner1_best_but_last_0_5 - slice1winner1_best_late_cost_0_4) < 0 then
+        slice1winner2_best_but_last_0_2 <= slice1winner1_best_but_last_0_5;
+      else
+        slice1winner2_best_but_last_0_2 <= slice1winner1_best_late_cost_0_4;
+      end if;
+      if (slice1winner1_best_but_last_0_7 - slice1winner1_best_late_cost_0_6) < 0 then
+        slice1winner2_best_but_last_0_3 <= slice1winner1_best_but_last_0_7;
+      else
+        slice1winner2_best_but_last_0_3 <= slice1winner1_best_late_cost_0_6;
+      end if;
       -- slice1winner3
       slice1winner3_best_index_0_0_is_not_less := (slice1winner2_best_cost_0_0 - slice1winner2_best_cost_0_1) >= 0;
       slice1winner3_best_index_0_1_is_not_less := (slice1winner2_best_cost_0_2 - slice1winner2_best_cost_0_3) >= 0;
       slice1winner3_best_below_0_0_is_equal := slice1winner2_best_index_0_1 = 4;
-      slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0 when slice1winner3_best_below_0_0_is_equal
-        else slice1winner2_best_below_0_1;
+      if slice1winner3_best_below_0_0_is_equal then
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0;
+      else
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_below_0_1;
+      end if;
       slice1winner3_best_below_0_1_is_equal := slice1winner2_best_index_0_3 = 12;
-      slice1winner3_best_below_0_1_choice := slice1winner2_best_last_0_2 when slice1winner3_best_below_0_1_is_equal
-        else slice1winner2_best_below_0_3;
+      if slice1winner3_best_below_0_1_is_equal then
+        slice1winner3_best_below_0_1_choice := slice1winner2_best_last_0_2;
+      else
+        slice1winner3_best_below_0_1_choice := slice1winner2_best_below_0_3;
+      end if;
       slice1winner3_best_above_0_0_is_equal := slice1winner2_best_index_0_0 = 3;
-      slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1 when slice1winner3_best_above_0_0_is_equal
-        else slice1winner2_best_above_0_0;
+      if slice1winner3_best_above_0_0_is_equal then
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1;
+      else
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_above_0_0;
+      end if;
       slice1winner3_best_above_0_1_is_equal := (slice1winner2_best_index_0_2 mod 4) = 3;
-      slice1winner3_best_above_0_1_choice := slice1winner2_best_first_0_3 when ((slice1winner2_best_index_0_2 / 8) = 1)
-        and slice1winner3_best_above_0_1_is_equal else slice1winner2_best_above_0_2;
-      slice1winner3_best_second_0_0_choice := slice1winner2_best_second_0_1 when slice1winner3_best_place_0_0 else
-        slice1winner2_best_late_cost_0_1;
-      slice1winner3_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_1 when slice1winner3_best_at_end_0_0
-        else slice1winner3_best_second_0_0_choice;
-      slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0 when slice1winner3_best_place_0_0 else
-        slice1winner2_best_second_0_0;
-      slice1winner3_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0 when slice1winner3_best_at_start_0_0
-        else slice1winner3_best_second_0_0_choice_3;
-      slice1winner3_best_second_0_1_choice := slice1winner2_best_second_0_3 when slice1winner3_best_place_0_1 else
-        slice1winner2_best_late_cost_0_3;
-      slice1winner3_best_second_0_1_choice_2 := slice1winner2_best_but_first_0_3 when slice1winner3_best_at_end_0_1
-        else slice1winner3_best_second_0_1_choice;
-      slice1winner3_best_second_0_1_choice_3 := slice1winner2_best_late_cost_0_2 when slice1winner3_best_place_0_1 else
-        slice1winner2_best_second_0_2;
-      slice1winner3_best_second_0_1_choice_4 := slice1winner2_best_but_last_0_2 when slice1winner3_best_at_start_0_1
-        else slice1winner3_best_second_0_1_choice_3;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when (slice1winner2_best_cost_0_1 -
-        slice1winner2_best_cost_0_0) < 0 else slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3 when (slice1winner2_best_cost_0_3 -
-        slice1winner2_best_cost_0_2) < 0 else slice1winner2_best_cost_0_2;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_index_0_0_is_not_less else
-        slice1winner2_best_index_0_0;
-      slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3 when slice1winner3_best_index_0_1_is_not_less else
-        slice1winner2_best_index_0_2;
-      slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice when slice1winner3_best_index_0_0_is_not_less
-        else slice1winner2_best_below_0_0;
-      slice1winner3_best_below_0_1 <= slice1winner3_best_below_0_1_choice when slice1winner3_best_index_0_1_is_not_less
-        else slice1winner2_best_below_0_2;
-      slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1 when slice1winner3_best_index_0_0_is_not_less else
-        slice1winner3_best_above_0_0_choice;
-      slice1winner3_best_above_0_1 <= slice1winner2_best_above_0_3 when slice1winner3_best_index_0_1_is_not_less else
-        slice1winner3_best_above_0_1_choice;
+      if ((slice1winner2_best_index_0_2 / 8) = 1) and slice1winner3_best_above_0_1_is_equal then
+        slice1winner3_best_above_0_1_choice := slice1winner2_best_first_0_3;
+      else
+        slice1winner3_best_above_0_1_choice := slice1winner2_best_above_0_2;
+      end if;
+      if slice1winner3_best_place_0_0 then
+        slice1winner3_best_second_0_0_choice := slice1winner2_best_second_0_1;
+      else
+        slice1winner3_best_second_0_0_choice := slice1winner2_best_late_cost_0_1;
+      end if;
+      if slice1winner3_best_at_end_0_0 then
+        slice1winner3_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_1;
+      else
+        slice1winner3_best_second_0_0_choice_2 := slice1winner3_best_second_0_0_choice;
+      end if;
+      if slice1winner3_best_place_0_0 then
+        slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0;
+      else
+        slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_second_0_0;
+      end if;
+      if slice1winner3_best_at_start_0_0 then
+        slice1winner3_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0;
+      else
+        slice1winner3_best_second_0_0_choice_4 := slice1winner3_best_second_0_0_choice_3;
+      end if;
+      if slice1winner3_best_place_0_1 then
+        slice1winner3_best_second_0_1_choice := slice1winner2_best_second_0_3;
+      else
+        slice1winner3_best_second_0_1_choice := slice1winner2_best_late_cost_0_3;
+      end if;
+      if slice1winner3_best_at_end_0_1 then
+        slice1winner3_best_second_0_1_choice_2 := slice1winner2_best_but_first_0_3;
+      else
+        slice1winner3_best_second_0_1_choice_2 := slice1winner3_best_second_0_1_choice;
+      end if;
+      if slice1winner3_best_place_0_1 then
+        slice1winner3_best_second_0_1_choice_3 := slice1winner2_best_late_cost_0_2;
+      else
+        slice1winner3_best_second_0_1_choice_3 := slice1winner2_best_second_0_2;
+      end if;
+      if slice1winner3_best_at_start_0_1 then
+        slice1winner3_best_second_0_1_choice_4 := slice1winner2_best_but_last_0_2;
+      else
+        slice1winner3_best_second_0_1_choice_4 := slice1winner3_best_second_0_1_choice_3;
+      end if;
       slice1winner3_best_first_0_0 <= slice1winner2_best_first_0_0;
       slice1winner3_best_first_0_1 <= slice1winner2_best_first_0_2;
       slice1winner3_best_last_0_0 <= slice1winner2_best_last_0_1;
@@ -3530,45 +4837,99 @@ begin
         ((slice1winner2_best_index_0_2 / 8) = 1) and slice1winner3_best_above_0_1_is_equal;
       slice1winner3_best_late_cost_0_0 <= slice1winner3_best_cost_0_0;
       slice1winner3_best_late_cost_0_1 <= slice1winner3_best_cost_0_1;
-      slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_2 when
-        (slice1winner3_best_second_0_0_choice_2 - slice1winner3_best_second_0_0_choice_4) < 0 else
-        slice1winner3_best_second_0_0_choice_4;
-      slice1winner3_best_second_0_1 <= slice1winner3_best_second_0_1_choice_2 when
-        (slice1winner3_best_second_0_1_choice_2 - slice1winner3_best_second_0_1_choice_4) < 0 else
-        slice1winner3_best_second_0_1_choice_4;
-      slice1winner3_best_but_first_0_0 <= slice1winner2_best_late_cost_0_1 when (slice1winner2_best_late_cost_0_1 -
-        slice1winner2_best_but_first_0_0) < 0 else slice1winner2_best_but_first_0_0;
-      slice1winner3_best_but_first_0_1 <= slice1winner2_best_late_cost_0_3 when (slice1winner2_best_late_cost_0_3 -
-        slice1winner2_best_but_first_0_2) < 0 else slice1winner2_best_but_first_0_2;
-      slice1winner3_best_but_last_0_0 <= slice1winner2_best_but_last_0_1 when (slice1winner2_best_but_last_0_1 -
-        slice1winner2_best_late_cost_0_0) < 0 else slice1winner2_best_late_cost_0_0;
-      slice1winner3_best_but_last_0_1 <= slice1winner2_best_but_last_0_3 when (slice1winner2_best_but_last_0_3 -
-        slice1winner2_best_late_cost_0_2) < 0 else slice1winner2_best_late_cost_0_2;
+      if (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0 then
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
+      else
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+      end if;
+      if (slice1winner2_best_cost_0_3 - slice1winner2_best_cost_0_2) < 0 then
+        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_3;
+      else
+        slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_2;
+      end if;
+      if slice1winner3_best_index_0_0_is_not_less then
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
+        slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice;
+        slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1;
+      else
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
+        slice1winner3_best_below_0_0 <= slice1winner2_best_below_0_0;
+        slice1winner3_best_above_0_0 <= slice1winner3_best_above_0_0_choice;
+      end if;
+      if slice1winner3_best_index_0_1_is_not_less then
+        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_3;
+        slice1winner3_best_below_0_1 <= slice1winner3_best_below_0_1_choice;
+        slice1winner3_best_above_0_1 <= slice1winner2_best_above_0_3;
+      else
+        slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
+        slice1winner3_best_below_0_1 <= slice1winner2_best_below_0_2;
+        slice1winner3_best_above_0_1 <= slice1winner3_best_above_0_1_choice;
+      end if;
+      if (slice1winner3_best_second_0_0_choice_2 - slice1winner3_best_second_0_0_choice_4) < 0 then
+        slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_2;
+      else
+        slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_4;
+      end if;
+      if (slice1winner3_best_second_0_1_choice_2 - slice1winner3_best_second_0_1_choice_4) < 0 then
+        slice1winner3_best_second_0_1 <= slice1winner3_best_second_0_1_choice_2;
+      else
+        slice1winner3_best_second_0_1 <= slice1winner3_best_second_0_1_choice_4;
+      end if;
+      if (slice1winner2_best_late_cost_0_1 - slice1winner2_best_but_first_0_0) < 0 then
+        slice1winner3_best_but_first_0_0 <= slice1winner2_best_late_cost_0_1;
+      else
+        slice1winner3_best_but_first_0_0 <= slice1winner2_best_but_first_0_0;
+      end if;
+      if (slice1winner2_best_late_cost_0_3 - slice1winner2_best_but_first_0_2) < 0 then
+        slice1winner3_best_but_first_0_1 <= slice1winner2_best_late_cost_0_3;
+      else
+        slice1winner3_best_but_first_0_1 <= slice1winner2_best_but_first_0_2;
+      end if;
+      if (slice1winner2_best_but_last_0_1 - slice1winner2_best_late_cost_0_0) < 0 then
+        slice1winner3_best_but_last_0_0 <= slice1winner2_best_but_last_0_1;
+      else
+        slice1winner3_best_but_last_0_0 <= slice1winner2_best_late_cost_0_0;
+      end if;
+      if (slice1winner2_best_but_last_0_3 - slice1winner2_best_late_cost_0_2) < 0 then
+        slice1winner3_best_but_last_0_1 <= slice1winner2_best_but_last_0_3;
+      else
+        slice1winner3_best_but_last_0_1 <= slice1winner2_best_late_cost_0_2;
+      end if;
       -- slice1winner4
       slice1winner4_best_index_0_0_is_less := (slice1winner3_best_cost_0_0 - slice1winner3_best_cost_0_1) < 0;
       slice1winner4_best_below_0_0_is_equal := slice1winner3_best_index_0_1 = 8;
-      slice1winner4_best_below_0_0_choice := slice1winner3_best_last_0_0 when slice1winner4_best_below_0_0_is_equal
-        else slice1winner3_best_below_0_1;
+      if slice1winner4_best_below_0_0_is_equal then
+        slice1winner4_best_below_0_0_choice := slice1winner3_best_last_0_0;
+      else
+        slice1winner4_best_below_0_0_choice := slice1winner3_best_below_0_1;
+      end if;
       slice1winner4_best_above_0_0_is_equal := slice1winner3_best_index_0_0 = 7;
-      slice1winner4_best_above_0_0_choice := slice1winner3_best_first_0_1 when slice1winner4_best_above_0_0_is_equal
-        else slice1winner3_best_above_0_0;
+      if slice1winner4_best_above_0_0_is_equal then
+        slice1winner4_best_above_0_0_choice := slice1winner3_best_first_0_1;
+      else
+        slice1winner4_best_above_0_0_choice := slice1winner3_best_above_0_0;
+      end if;
       slice1winner4_best_place_0_0_is_not_less := (slice1winner3_best_cost_0_0 - slice1winner3_best_cost_0_1) >= 0;
-      slice1winner4_best_second_0_0_choice := slice1winner3_best_second_0_1 when slice1winner4_best_place_0_0 else
-        slice1winner3_best_late_cost_0_1;
-      slice1winner4_best_second_0_0_choice_2 := slice1winner3_best_but_first_0_1 when slice1winner4_best_at_end_0_0
-        else slice1winner4_best_second_0_0_choice;
-      slice1winner4_best_second_0_0_choice_3 := slice1winner3_best_late_cost_0_0 when slice1winner4_best_place_0_0 else
-        slice1winner3_best_second_0_0;
-      slice1winner4_best_second_0_0_choice_4 := slice1winner3_best_but_last_0_0 when slice1winner4_best_at_start_0_0
-        else slice1winner4_best_second_0_0_choice_3;
-      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when (slice1winner3_best_cost_0_1 -
-        slice1winner3_best_cost_0_0) < 0 else slice1winner3_best_cost_0_0;
-      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0 when slice1winner4_best_index_0_0_is_less else
-        slice1winner3_best_index_0_1;
-      slice1winner4_best_below_0_0 <= slice1winner3_best_below_0_0 when slice1winner4_best_index_0_0_is_less else
-        slice1winner4_best_below_0_0_choice;
-      slice1winner4_best_above_0_0 <= slice1winner4_best_above_0_0_choice when slice1winner4_best_index_0_0_is_less
-        else slice1winner3_best_above_0_1;
+      if slice1winner4_best_place_0_0 then
+        slice1winner4_best_second_0_0_choice := slice1winner3_best_second_0_1;
+      else
+        slice1winner4_best_second_0_0_choice := slice1winner3_best_late_cost_0_1;
+      end if;
+      if slice1winner4_best_at_end_0_0 then
+        slice1winner4_best_second_0_0_choice_2 := slice1winner3_best_but_first_0_1;
+      else
+        slice1winner4_best_second_0_0_choice_2 := slice1winner4_best_second_0_0_choice;
+      end if;
+      if slice1winner4_best_place_0_0 then
+        slice1winner4_best_second_0_0_choice_3 := slice1winner3_best_late_cost_0_0;
+      else
+        slice1winner4_best_second_0_0_choice_3 := slice1winner3_best_second_0_0;
+      end if;
+      if slice1winner4_best_at_start_0_0 then
+        slice1winner4_best_second_0_0_choice_4 := slice1winner3_best_but_last_0_0;
+      else
+        slice1winner4_best_second_0_0_choice_4 := slice1winner4_best_second_0_0_choice_3;
+      end if;
       slice1winner4_best_first_0_0 <= slice1winner3_best_first_0_0;
       slice1winner4_best_last_0_0 <= slice1winner3_best_last_0_1;
       slice1winner4_best_place_0_0 <= slice1winner4_best_place_0_0_is_not_less;
@@ -3576,51 +4937,103 @@ begin
         slice1winner4_best_place_0_0_is_not_less;
       slice1winner4_best_at_end_0_0 <= slice1winner4_best_index_0_0_is_less and slice1winner4_best_above_0_0_is_equal;
       slice1winner4_best_late_cost_0_0 <= slice1winner4_best_cost_0_0;
-      slice1winner4_best_second_0_0 <= slice1winner4_best_second_0_0_choice_2 when
-        (slice1winner4_best_second_0_0_choice_2 - slice1winner4_best_second_0_0_choice_4) < 0 else
-        slice1winner4_best_second_0_0_choice_4;
-      slice1winner4_best_but_first_0_0 <= slice1winner3_best_late_cost_0_1 when (slice1winner3_best_late_cost_0_1 -
-        slice1winner3_best_but_first_0_0) < 0 else slice1winner3_best_but_first_0_0;
-      slice1winner4_best_but_last_0_0 <= slice1winner3_best_but_last_0_1 when (slice1winner3_best_but_last_0_1 -
-        slice1winner3_best_late_cost_0_0) < 0 else slice1winner3_best_late_cost_0_0;
+      if (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0 then
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1;
+      else
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+      end if;
+      if slice1winner4_best_index_0_0_is_less then
+        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
+        slice1winner4_best_below_0_0 <= slice1winner3_best_below_0_0;
+        slice1winner4_best_above_0_0 <= slice1winner4_best_above_0_0_choice;
+      else
+        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
+        slice1winner4_best_below_0_0 <= slice1winner4_best_below_0_0_choice;
+        slice1winner4_best_above_0_0 <= slice1winner3_best_above_0_1;
+      end if;
+      if (slice1winner4_best_second_0_0_choice_2 - slice1winner4_best_second_0_0_choice_4) < 0 then
+        slice1winner4_best_second_0_0 <= slice1winner4_best_second_0_0_choice_2;
+      else
+        slice1winner4_best_second_0_0 <= slice1winner4_best_second_0_0_choice_4;
+      end if;
+      if (slice1winner3_best_late_cost_0_1 - slice1winner3_best_but_first_0_0) < 0 then
+        slice1winner4_best_but_first_0_0 <= slice1winner3_best_late_cost_0_1;
+      else
+        slice1winner4_best_but_first_0_0 <= slice1winner3_best_but_first_0_0;
+      end if;
+      if (slice1winner3_best_but_last_0_1 - slice1winner3_best_late_cost_0_0) < 0 then
+        slice1winner4_best_but_last_0_0 <= slice1winner3_best_but_last_0_1;
+      else
+        slice1winner4_best_but_last_0_0 <= slice1winner3_best_late_cost_0_0;
+      end if;
       -- slice1
       slice1_best_index_0_0_is_less := (slice0winner4_best_late_cost_0_0 - slice1winner4_best_cost_0_0) < 0;
       slice1_best_below_0_0_is_equal := slice1winner4_best_index_0_0 = 0;
-      slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1_best_below_0_0_is_equal else
-        slice1winner4_best_below_0_0;
+      if slice1_best_below_0_0_is_equal then
+        slice1_best_below_0_0_choice := slice0_best_last_0_0;
+      else
+        slice1_best_below_0_0_choice := slice1winner4_best_below_0_0;
+      end if;
       slice1_best_above_0_0_is_equal := slice0_best_index_0_0 = 15;
-      slice1_best_above_0_0_choice := slice1winner4_best_first_0_0 when slice1_best_above_0_0_is_equal else
-        slice0_best_above_0_0;
+      if slice1_best_above_0_0_is_equal then
+        slice1_best_above_0_0_choice := slice1winner4_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice0_best_above_0_0;
+      end if;
       slice1_best_place_0_0_is_not_less := (slice0winner4_best_late_cost_0_0 - slice1winner4_best_cost_0_0) >= 0;
-      slice1_best_second_0_0_choice := slice1winner4_best_second_0_0 when slice1_best_place_0_0 else
-        slice1winner4_best_late_cost_0_0;
-      slice1_best_second_0_0_choice_2 := slice1winner4_best_but_first_0_0 when slice1_best_at_end_0_0 else
-        slice1_best_second_0_0_choice;
-      slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0 when slice1_best_place_0_0 else
-        slice0_best_second_0_0;
-      slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0 when slice1_best_at_start_0_0 else
-        slice1_best_second_0_0_choice_3;
-      slice1_best_cost_0_0 <= slice1winner4_best_cost_0_0 when (slice1winner4_best_cost_0_0 -
-        slice0winner4_best_late_cost_0_0) < 0 else slice0winner4_best_late_cost_0_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_index_0_0_is_less else
-        slice1winner4_best_index_0_0 + 16;
-      slice1_best_below_0_0 <= slice0_best_below_0_0 when slice1_best_index_0_0_is_less else
-        slice1_best_below_0_0_choice;
-      slice1_best_above_0_0 <= slice1_best_above_0_0_choice when slice1_best_index_0_0_is_less else
-        slice1winner4_best_above_0_0;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice := slice1winner4_best_second_0_0;
+      else
+        slice1_best_second_0_0_choice := slice1winner4_best_late_cost_0_0;
+      end if;
+      if slice1_best_at_end_0_0 then
+        slice1_best_second_0_0_choice_2 := slice1winner4_best_but_first_0_0;
+      else
+        slice1_best_second_0_0_choice_2 := slice1_best_second_0_0_choice;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0;
+      else
+        slice1_best_second_0_0_choice_3 := slice0_best_second_0_0;
+      end if;
+      if slice1_best_at_start_0_0 then
+        slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0;
+      else
+        slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3;
+      end if;
       slice1_best_last_0_0 <= slice1winner4_best_last_0_0;
       slice1_best_place_0_0 <= slice1_best_place_0_0_is_not_less;
       slice1_best_at_start_0_0 <= slice1_best_below_0_0_is_equal and slice1_best_place_0_0_is_not_less;
       slice1_best_at_end_0_0 <= slice1_best_above_0_0_is_equal and slice1_best_index_0_0_is_less;
       slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
-      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
-        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
-      slice1_best_but_last_0_0 <= slice1winner4_best_but_last_0_0 when (slice1winner4_best_but_last_0_0 -
-        slice0_best_late_cost_0_0) < 0 else slice0_best_late_cost_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if (slice1winner4_best_cost_0_0 - slice0winner4_best_late_cost_0_0) < 0 then
+        slice1_best_cost_0_0 <= slice1winner4_best_cost_0_0;
+      else
+        slice1_best_cost_0_0 <= slice0winner4_best_late_cost_0_0;
+      end if;
+      if slice1_best_index_0_0_is_less then
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice0_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      else
+        slice1_best_index_0_0 <= slice1winner4_best_index_0_0 + 16;
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice1winner4_best_above_0_0;
+      end if;
+      if (slice1_best_second_0_0_choice_2 - slice1_best_second_0_0_choice_4) < 0 then
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2;
+      else
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_4;
+      end if;
+      if (slice1winner4_best_but_last_0_0 - slice0_best_late_cost_0_0) < 0 then
+        slice1_best_but_last_0_0 <= slice1winner4_best_but_last_0_0;
+      else
+        slice1_best_but_last_0_0 <= slice0_best_late_cost_0_0;
+      end if;
       -- slice2shift
       if slice0cost_pixels_first_tag_valid then
         slice2shift_search_0_0 <= slice1shift_search_out_0;
@@ -3661,69 +5074,166 @@ begin
       slice2shift_search_out_0 <= slice2shift_search_0_15;
       slice2shift_search_out_1 <= slice2shift_search_1_15;
       -- slice2cost
-      slice2cost_column_0_0_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 mod
-        1024;
-      slice2cost_column_0_0_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_0 +
-        slice2cost_column_0_0_choice) mod 1024;
-      slice2cost_column_0_1_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_0 /
-        1024) mod 1024;
-      slice2cost_column_0_1_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_1 +
-        slice2cost_column_0_1_choice) mod 1024;
-      slice2cost_column_0_2_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 /
-        1048576;
-      slice2cost_column_0_2_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_2 +
-        slice2cost_column_0_2_choice) mod 1024;
-      slice2cost_column_0_3_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_1 mod
-        1024;
-      slice2cost_column_0_3_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_3 +
-        slice2cost_column_0_3_choice) mod 1024;
-      slice2cost_column_0_4_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_1 /
-        1024) mod 1024;
-      slice2cost_column_0_4_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_4 +
-        slice2cost_column_0_4_choice) mod 1024;
-      slice2cost_column_0_5_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_1 /
-        1048576;
-      slice2cost_column_0_5_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_5 +
-        slice2cost_column_0_5_choice) mod 1024;
-      slice2cost_column_0_6_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_2 mod
-        1024;
-      slice2cost_column_0_6_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_6 +
-        slice2cost_column_0_6_choice) mod 1024;
-      slice2cost_column_0_7_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_2 /
-        1024) mod 1024;
-      slice2cost_column_0_7_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_7 +
-        slice2cost_column_0_7_choice) mod 1024;
-      slice2cost_column_0_8_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_2 /
-        1048576;
-      slice2cost_column_0_8_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_8 +
-        slice2cost_column_0_8_choice) mod 1024;
-      slice2cost_column_0_9_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_3 mod
-        1024;
-      slice2cost_column_0_9_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_9 +
-        slice2cost_column_0_9_choice) mod 1024;
-      slice2cost_column_0_10_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_3 /
-        1024) mod 1024;
-      slice2cost_column_0_10_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_10 +
-        slice2cost_column_0_10_choice) mod 1024;
-      slice2cost_column_0_11_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_3 /
-        1048576;
-      slice2cost_column_0_11_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_11 +
-        slice2cost_column_0_11_choice) mod 1024;
-      slice2cost_column_0_12_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_4 mod
-        1024;
-      slice2cost_column_0_12_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_12 +
-        slice2cost_column_0_12_choice) mod 1024;
-      slice2cost_column_0_13_choice := 0 when slice0window_entering_tag_first_group else (slice2cost_ready_words_4 /
-        1024) mod 1024;
-      slice2cost_column_0_13_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_13 +
-        slice2cost_column_0_13_choice) mod 1024;
-      slice2cost_column_0_14_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_4 /
-        1048576;
-      slice2cost_column_0_14_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_14 +
-        slice2cost_column_0_14_choice) mod 1024;
-      slice2cost_column_0_15_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_5;
-      slice2cost_column_0_15_choice_2 := 0 when slice0window_entering_tag_border_column else (slice2cost_change_0_15 +
-        slice2cost_column_0_15_choice) mod 1024;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_0_choice := 0;
+      else
+        slice2cost_column_0_0_choice := slice2cost_ready_words_0 mod 1024;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_0_choice_2 := 0;
+      else
+        slice2cost_column_0_0_choice_2 := (slice2cost_change_0_0 + slice2cost_column_0_0_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_1_choice := 0;
+      else
+        slice2cost_column_0_1_choice := (slice2cost_ready_words_0 / 1024) mod 1024;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_1_choice_2 := 0;
+      else
+        slice2cost_column_0_1_choice_2 := (slice2cost_change_0_1 + slice2cost_column_0_1_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_2_choice := 0;
+      else
+        slice2cost_column_0_2_choice := slice2cost_ready_words_0 / 1048576;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_2_choice_2 := 0;
+      else
+        slice2cost_column_0_2_choice_2 := (slice2cost_change_0_2 + slice2cost_column_0_2_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_3_choice := 0;
+      else
+        slice2cost_column_0_3_choice := slice2cost_ready_words_1 mod 1024;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_3_choice_2 := 0;
+      else
+        slice2cost_column_0_3_choice_2 := (slice2cost_change_0_3 + slice2cost_column_0_3_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_4_choice := 0;
+      else
+        slice2cost_column_0_4_choice := (slice2cost_ready_words_1 / 1024) mod 1024;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_4_choice_2 := 0;
+      else
+        slice2cost_column_0_4_choice_2 := (slice2cost_change_0_4 + slice2cost_column_0_4_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_5_choice := 0;
+      else
+        slice2cost_column_0_5_choice := slice2cost_ready_words_1 / 1048576;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_5_choice_2 := 0;
+      else
+        slice2cost_column_0_5_choice_2 := (slice2cost_change_0_5 + slice2cost_column_0_5_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_6_choice := 0;
+      else
+        slice2cost_column_0_6_choice := slice2cost_ready_words_2 mod 1024;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_6_choice_2 := 0;
+      else
+        slice2cost_column_0_6_choice_2 := (slice2cost_change_0_6 + slice2cost_column_0_6_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_7_choice := 0;
+      else
+        slice2cost_column_0_7_choice := (slice2cost_ready_words_2 / 1024) mod 1024;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_7_choice_2 := 0;
+      else
+        slice2cost_column_0_7_choice_2 := (slice2cost_change_0_7 + slice2cost_column_0_7_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_8_choice := 0;
+      else
+        slice2cost_column_0_8_choice := slice2cost_ready_words_2 / 1048576;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_8_choice_2 := 0;
+      else
+        slice2cost_column_0_8_choice_2 := (slice2cost_change_0_8 + slice2cost_column_0_8_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_9_choice := 0;
+      else
+        slice2cost_column_0_9_choice := slice2cost_ready_words_3 mod 1024;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_9_choice_2 := 0;
+      else
+        slice2cost_column_0_9_choice_2 := (slice2cost_change_0_9 + slice2cost_column_0_9_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_10_choice := 0;
+      else
+        slice2cost_column_0_10_choice := (slice2cost_ready_words_3 / 1024) mod 1024;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_10_choice_2 := 0;
+      else
+        slice2cost_column_0_10_choice_2 := (slice2cost_change_0_10 + slice2cost_column_0_10_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_11_choice := 0;
+      else
+        slice2cost_column_0_11_choice := slice2cost_ready_words_3 / 1048576;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_11_choice_2 := 0;
+      else
+        slice2cost_column_0_11_choice_2 := (slice2cost_change_0_11 + slice2cost_column_0_11_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_12_choice := 0;
+      else
+        slice2cost_column_0_12_choice := slice2cost_ready_words_4 mod 1024;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_12_choice_2 := 0;
+      else
+        slice2cost_column_0_12_choice_2 := (slice2cost_change_0_12 + slice2cost_column_0_12_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_13_choice := 0;
+      else
+        slice2cost_column_0_13_choice := (slice2cost_ready_words_4 / 1024) mod 1024;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_13_choice_2 := 0;
+      else
+        slice2cost_column_0_13_choice_2 := (slice2cost_change_0_13 + slice2cost_column_0_13_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_14_choice := 0;
+      else
+        slice2cost_column_0_14_choice := slice2cost_ready_words_4 / 1048576;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_14_choice_2 := 0;
+      else
+        slice2cost_column_0_14_choice_2 := (slice2cost_change_0_14 + slice2cost_column_0_14_choice) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_15_choice := 0;
+      else
+        slice2cost_column_0_15_choice := slice2cost_ready_words_5;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_15_choice_2 := 0;
+      else
+        slice2cost_column_0_15_choice_2 := (slice2cost_change_0_15 + slice2cost_column_0_15_choice) mod 1024;
+      end if;
       slice2cost_pixels_first_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_pixels_first_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_pixels_first_0_2 <= slice2shift_search_0_2 - slice2shift_reference_0;
@@ -3841,10 +5351,18 @@ begin
       slice2cost_column_0_15 <= slice2cost_column_0_15_choice_2;
       slice2cost_write_column <= slice2cost_ready_column;
       if slice0cost_pixels_tag_valid then
-        slice2cost_read_column <= 0 when slice0cost_pixels_tag_row_start else (slice2cost_read_column + 1) mod 512;
+        if slice0cost_pixels_tag_row_start then
+          slice2cost_read_column <= 0;
+        else
+          slice2cost_read_column <= (slice2cost_read_column + 1) mod 512;
+        end if;
       end if;
       if slice0cost_ready_tag_valid then
-        slice2cost_change_column <= 0 when slice0cost_ready_tag_row_start else (slice2cost_change_column + 1) mod 512;
+        if slice0cost_ready_tag_row_start then
+          slice2cost_change_column <= 0;
+        else
+          slice2cost_change_column <= (slice2cost_change_column + 1) mod 512;
+        end if;
       end if;
       if slice0window_entering_tag_valid then
         slice2cost_write_words_0 <= (slice2cost_column_0_1_choice_2 * 1024) + slice2cost_column_0_0_choice_2 +
@@ -3861,9 +5379,12 @@ begin
       end if;
       -- slice2window
       if slice0window_change_tag_valid then
-        slice2window_ring_read_address <= 0 when slice2window_ring_read_address = 15 else
-          (slice2window_ring_read_address + 1) mod 16;
         slice2window_ring_write_address <= slice2window_ring_read_address;
+        if slice2window_ring_read_address = 15 then
+          slice2window_ring_read_address <= 0;
+        else
+          slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice1window_change_tag_leaves_window then
         slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(9 downto 0));
@@ -3981,22 +5502,86 @@ begin
       slice2window_change_tag_leaves_window <= slice1window_change_tag_leaves_window;
       slice2window_centre_output_column_0 <= slice1window_centre_output_column_0;
       slice2window_centre_end_of_line_0 <= slice1window_centre_end_of_line_0;
-      slice2window_sum_0_0_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_0;
-      slice2window_sum_0_1_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_1;
-      slice2window_sum_0_2_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_2;
-      slice2window_sum_0_3_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_3;
-      slice2window_sum_0_4_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_4;
-      slice2window_sum_0_5_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_5;
-      slice2window_sum_0_6_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_6;
-      slice2window_sum_0_7_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_7;
-      slice2window_sum_0_8_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_8;
-      slice2window_sum_0_9_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_9;
-      slice2window_sum_0_10_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_10;
-      slice2window_sum_0_11_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_11;
-      slice2window_sum_0_12_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_12;
-      slice2window_sum_0_13_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_13;
-      slice2window_sum_0_14_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_14;
-      slice2window_sum_0_15_choice := 0 when slice2window_change_tag_first_cost else slice2window_sum_0_15;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_0_choice := 0;
+      else
+        slice2window_sum_0_0_choice := slice2window_sum_0_0;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_1_choice := 0;
+      else
+        slice2window_sum_0_1_choice := slice2window_sum_0_1;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_2_choice := 0;
+      else
+        slice2window_sum_0_2_choice := slice2window_sum_0_2;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_3_choice := 0;
+      else
+        slice2window_sum_0_3_choice := slice2window_sum_0_3;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_4_choice := 0;
+      else
+        slice2window_sum_0_4_choice := slice2window_sum_0_4;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_5_choice := 0;
+      else
+        slice2window_sum_0_5_choice := slice2window_sum_0_5;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_6_choice := 0;
+      else
+        slice2window_sum_0_6_choice := slice2window_sum_0_6;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_7_choice := 0;
+      else
+        slice2window_sum_0_7_choice := slice2window_sum_0_7;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_8_choice := 0;
+      else
+        slice2window_sum_0_8_choice := slice2window_sum_0_8;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_9_choice := 0;
+      else
+        slice2window_sum_0_9_choice := slice2window_sum_0_9;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_10_choice := 0;
+      else
+        slice2window_sum_0_10_choice := slice2window_sum_0_10;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_11_choice := 0;
+      else
+        slice2window_sum_0_11_choice := slice2window_sum_0_11;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_12_choice := 0;
+      else
+        slice2window_sum_0_12_choice := slice2window_sum_0_12;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_13_choice := 0;
+      else
+        slice2window_sum_0_13_choice := slice2window_sum_0_13;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_14_choice := 0;
+      else
+        slice2window_sum_0_14_choice := slice2window_sum_0_14;
+      end if;
+      if slice2window_change_tag_first_cost then
+        slice2window_sum_0_15_choice := 0;
+      else
+        slice2window_sum_0_15_choice := slice2window_sum_0_15;
+      end if;
       if slice0winner1_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 16384;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 16384;
@@ -4043,46 +5628,7 @@ begin
       slice2winner1_held_0_13 <= slice2window_sum_0_13;
       slice2winner1_held_0_14 <= slice2window_sum_0_14;
       slice2winner1_held_0_15 <= slice2window_sum_0_15;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when (slice2window_sum_0_1 - slice2window_sum_0_0) < 0 else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_0_1 <= slice2window_sum_0_3 when (slice2window_sum_0_3 - slice2window_sum_0_2) < 0 else
-        slice2window_sum_0_2;
-      slice2winner1_best_cost_0_2 <= slice2window_sum_0_5 when (slice2window_sum_0_5 - slice2window_sum_0_4) < 0 else
-        slice2window_sum_0_4;
-      slice2winner1_best_cost_0_3 <= slice2window_sum_0_7 when (slice2window_sum_0_7 - slice2window_sum_0_6) < 0 else
-        slice2window_sum_0_6;
-      slice2winner1_best_cost_0_4 <= slice2window_sum_0_9 when (slice2window_sum_0_9 - slice2window_sum_0_8) < 0 else
-        slice2window_sum_0_8;
-      slice2winner1_best_cost_0_5 <= slice2window_sum_0_11 when (slice2window_sum_0_11 - slice2window_sum_0_10) < 0
-        else slice2window_sum_0_10;
-      slice2winner1_best_cost_0_6 <= slice2window_sum_0_13 when (slice2window_sum_0_13 - slice2window_sum_0_12) < 0
-        else slice2window_sum_0_12;
-      slice2winner1_best_cost_0_7 <= slice2window_sum_0_15 when (slice2window_sum_0_15 - slice2window_sum_0_14) < 0
-        else slice2window_sum_0_14;
       slice2winner1_best_index_0_0 <= slice2winner1_best_index_0_0_is_not_less;
-      slice2winner1_best_index_0_1 <= 2 when slice2winner1_best_index_0_1_is_less else 3;
-      slice2winner1_best_index_0_2 <= 4 when slice2winner1_best_index_0_2_is_less else 5;
-      slice2winner1_best_index_0_3 <= 6 when slice2winner1_best_index_0_3_is_less else 7;
-      slice2winner1_best_index_0_4 <= 8 when slice2winner1_best_index_0_4_is_less else 9;
-      slice2winner1_best_index_0_5 <= 10 when slice2winner1_best_index_0_5_is_less else 11;
-      slice2winner1_best_index_0_6 <= 12 when slice2winner1_best_index_0_6_is_less else 13;
-      slice2winner1_best_index_0_7 <= 14 when slice2winner1_best_index_0_7_is_less else 15;
-      slice2winner1_best_below_0_0 <= slice2window_sum_0_0 when slice2winner1_best_index_0_0_is_not_less else 0;
-      slice2winner1_best_below_0_1 <= 0 when slice2winner1_best_index_0_1_is_less else slice2window_sum_0_2;
-      slice2winner1_best_below_0_2 <= 0 when slice2winner1_best_index_0_2_is_less else slice2window_sum_0_4;
-      slice2winner1_best_below_0_3 <= 0 when slice2winner1_best_index_0_3_is_less else slice2window_sum_0_6;
-      slice2winner1_best_below_0_4 <= 0 when slice2winner1_best_index_0_4_is_less else slice2window_sum_0_8;
-      slice2winner1_best_below_0_5 <= 0 when slice2winner1_best_index_0_5_is_less else slice2window_sum_0_10;
-      slice2winner1_best_below_0_6 <= 0 when slice2winner1_best_index_0_6_is_less else slice2window_sum_0_12;
-      slice2winner1_best_below_0_7 <= 0 when slice2winner1_best_index_0_7_is_less else slice2window_sum_0_14;
-      slice2winner1_best_above_0_0 <= 0 when slice2winner1_best_index_0_0_is_not_less else slice2window_sum_0_1;
-      slice2winner1_best_above_0_1 <= slice2window_sum_0_3 when slice2winner1_best_index_0_1_is_less else 0;
-      slice2winner1_best_above_0_2 <= slice2window_sum_0_5 when slice2winner1_best_index_0_2_is_less else 0;
-      slice2winner1_best_above_0_3 <= slice2window_sum_0_7 when slice2winner1_best_index_0_3_is_less else 0;
-      slice2winner1_best_above_0_4 <= slice2window_sum_0_9 when slice2winner1_best_index_0_4_is_less else 0;
-      slice2winner1_best_above_0_5 <= slice2window_sum_0_11 when slice2winner1_best_index_0_5_is_less else 0;
-      slice2winner1_best_above_0_6 <= slice2window_sum_0_13 when slice2winner1_best_index_0_6_is_less else 0;
-      slice2winner1_best_above_0_7 <= slice2window_sum_0_15 when slice2winner1_best_index_0_7_is_less else 0;
       slice2winner1_best_late_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner1_best_late_cost_0_1 <= slice2winner1_best_cost_0_1;
       slice2winner1_best_late_cost_0_2 <= slice2winner1_best_cost_0_2;
@@ -4107,89 +5653,243 @@ begin
       slice2winner1_best_but_last_0_5 <= slice2winner1_held_0_10;
       slice2winner1_best_but_last_0_6 <= slice2winner1_held_0_12;
       slice2winner1_best_but_last_0_7 <= slice2winner1_held_0_14;
+      if (slice2window_sum_0_1 - slice2window_sum_0_0) < 0 then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
+      if (slice2window_sum_0_3 - slice2window_sum_0_2) < 0 then
+        slice2winner1_best_cost_0_1 <= slice2window_sum_0_3;
+      else
+        slice2winner1_best_cost_0_1 <= slice2window_sum_0_2;
+      end if;
+      if (slice2window_sum_0_5 - slice2window_sum_0_4) < 0 then
+        slice2winner1_best_cost_0_2 <= slice2window_sum_0_5;
+      else
+        slice2winner1_best_cost_0_2 <= slice2window_sum_0_4;
+      end if;
+      if (slice2window_sum_0_7 - slice2window_sum_0_6) < 0 then
+        slice2winner1_best_cost_0_3 <= slice2window_sum_0_7;
+      else
+        slice2winner1_best_cost_0_3 <= slice2window_sum_0_6;
+      end if;
+      if (slice2window_sum_0_9 - slice2window_sum_0_8) < 0 then
+        slice2winner1_best_cost_0_4 <= slice2window_sum_0_9;
+      else
+        slice2winner1_best_cost_0_4 <= slice2window_sum_0_8;
+      end if;
+      if (slice2window_sum_0_11 - slice2window_sum_0_10) < 0 then
+        slice2winner1_best_cost_0_5 <= slice2window_sum_0_11;
+      else
+        slice2winner1_best_cost_0_5 <= slice2window_sum_0_10;
+      end if;
+      if (slice2window_sum_0_13 - slice2window_sum_0_12) < 0 then
+        slice2winner1_best_cost_0_6 <= slice2window_sum_0_13;
+      else
+        slice2winner1_best_cost_0_6 <= slice2window_sum_0_12;
+      end if;
+      if (slice2window_sum_0_15 - slice2window_sum_0_14) < 0 then
+        slice2winner1_best_cost_0_7 <= slice2window_sum_0_15;
+      else
+        slice2winner1_best_cost_0_7 <= slice2window_sum_0_14;
+      end if;
+      if slice2winner1_best_index_0_1_is_less then
+        slice2winner1_best_index_0_1 <= 2;
+        slice2winner1_best_below_0_1 <= 0;
+        slice2winner1_best_above_0_1 <= slice2window_sum_0_3;
+      else
+        slice2winner1_best_index_0_1 <= 3;
+        slice2winner1_best_below_0_1 <= slice2window_sum_0_2;
+        slice2winner1_best_above_0_1 <= 0;
+      end if;
+      if slice2winner1_best_index_0_2_is_less then
+        slice2winner1_best_index_0_2 <= 4;
+        slice2winner1_best_below_0_2 <= 0;
+        slice2winner1_best_above_0_2 <= slice2window_sum_0_5;
+      else
+        slice2winner1_best_index_0_2 <= 5;
+        slice2winner1_best_below_0_2 <= slice2window_sum_0_4;
+        slice2winner1_best_above_0_2 <= 0;
+      end if;
+      if slice2winner1_best_index_0_3_is_less then
+        slice2winner1_best_index_0_3 <= 6;
+        slice2winner1_best_below_0_3 <= 0;
+        slice2winner1_best_above_0_3 <= slice2window_sum_0_7;
+      else
+        slice2winner1_best_index_0_3 <= 7;
+        slice2winner1_best_below_0_3 <= slice2window_sum_0_6;
+        slice2winner1_best_above_0_3 <= 0;
+      end if;
+      if slice2winner1_best_index_0_4_is_less then
+        slice2winner1_best_index_0_4 <= 8;
+        slice2winner1_best_below_0_4 <= 0;
+        slice2winner1_best_above_0_4 <= slice2window_sum_0_9;
+      else
+        slice2winner1_best_index_0_4 <= 9;
+        slice2winner1_best_below_0_4 <= slice2window_sum_0_8;
+        slice2winner1_best_above_0_4 <= 0;
+      end if;
+      if slice2winner1_best_index_0_5_is_less then
+        slice2winner1_best_index_0_5 <= 10;
+        slice2winner1_best_below_0_5 <= 0;
+        slice2winner1_best_above_0_5 <= slice2window_sum_0_11;
+      else
+        slice2winner1_best_index_0_5 <= 11;
+        slice2winner1_best_below_0_5 <= slice2window_sum_0_10;
+        slice2winner1_best_above_0_5 <= 0;
+      end if;
+      if slice2winner1_best_index_0_6_is_less then
+        slice2winner1_best_index_0_6 <= 12;
+        slice2winner1_best_below_0_6 <= 0;
+        slice2winner1_best_above_0_6 <= slice2window_sum_0_13;
+      else
+        slice2winner1_best_index_0_6 <= 13;
+        slice2winner1_best_below_0_6 <= slice2window_sum_0_12;
+        slice2winner1_best_above_0_6 <= 0;
+      end if;
+      if slice2winner1_best_index_0_7_is_less then
+        slice2winner1_best_index_0_7 <= 14;
+        slice2winner1_best_below_0_7 <= 0;
+        slice2winner1_best_above_0_7 <= slice2window_sum_0_15;
+      else
+        slice2winner1_best_index_0_7 <= 15;
+        slice2winner1_best_below_0_7 <= slice2window_sum_0_14;
+        slice2winner1_best_above_0_7 <= 0;
+      end if;
+      if slice2winner1_best_index_0_0_is_not_less then
+        slice2winner1_best_below_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_above_0_0 <= 0;
+      else
+        slice2winner1_best_below_0_0 <= 0;
+        slice2winner1_best_above_0_0 <= slice2window_sum_0_1;
+      end if;
       -- slice2winner2
       slice2winner2_best_index_0_0_is_not_less := (slice2winner1_best_cost_0_0 - slice2winner1_best_cost_0_1) >= 0;
       slice2winner2_best_index_0_1_is_not_less := (slice2winner1_best_cost_0_2 - slice2winner1_best_cost_0_3) >= 0;
       slice2winner2_best_index_0_2_is_not_less := (slice2winner1_best_cost_0_4 - slice2winner1_best_cost_0_5) >= 0;
       slice2winner2_best_index_0_3_is_not_less := (slice2winner1_best_cost_0_6 - slice2winner1_best_cost_0_7) >= 0;
-      slice2winner2_best_below_0_0_choice := slice2winner1_held_0_1 when other_4 else slice2winner1_best_below_0_1;
-      slice2winner2_best_below_0_1_choice := slice2winner1_held_0_5 when other_5 else slice2winner1_best_below_0_3;
-      slice2winner2_best_below_0_2_choice := slice2winner1_held_0_9 when other_13 else slice2winner1_best_below_0_5;
-      slice2winner2_best_below_0_3_choice := slice2winner1_held_0_13 when other_14 else slice2winner1_best_below_0_7;
-      slice2winner2_best_above_0_0_choice := slice2winner1_held_0_2 when slice2winner1_best_index_0_0 else
-        slice2winner1_best_above_0_0;
-      slice2winner2_best_above_0_1_choice := slice2winner1_held_0_6 when ((slice2winner1_best_index_0_2 / 4) = 1) and
-        ((slice2winner1_best_index_0_2 mod 2) = 1) else slice2winner1_best_above_0_2;
-      slice2winner2_best_above_0_2_choice := slice2winner1_held_0_10 when ((slice2winner1_best_index_0_4 / 8) = 1) and
-        ((slice2winner1_best_index_0_4 mod 2) = 1) else slice2winner1_best_above_0_4;
+      if other_4 then
+        slice2winner2_best_below_0_0_choice := slice2winner1_held_0_1;
+      else
+        slice2winner2_best_below_0_0_choice := slice2winner1_best_below_0_1;
+      end if;
+      if other_5 then
+        slice2winner2_best_below_0_1_choice := slice2winner1_held_0_5;
+      else
+        slice2winner2_best_below_0_1_choice := slice2winner1_best_below_0_3;
+      end if;
+      if other_13 then
+        slice2winner2_best_below_0_2_choice := slice2winner1_held_0_9;
+      else
+        slice2winner2_best_below_0_2_choice := slice2winner1_best_below_0_5;
+      end if;
+      if other_14 then
+        slice2winner2_best_below_0_3_choice := slice2winner1_held_0_13;
+      else
+        slice2winner2_best_below_0_3_choice := slice2winner1_best_below_0_7;
+      end if;
+      if slice2winner1_best_index_0_0 then
+        slice2winner2_best_above_0_0_choice := slice2winner1_held_0_2;
+      else
+        slice2winner2_best_above_0_0_choice := slice2winner1_best_above_0_0;
+      end if;
+      if ((slice2winner1_best_index_0_2 / 4) = 1) and ((slice2winner1_best_index_0_2 mod 2) = 1) then
+        slice2winner2_best_above_0_1_choice := slice2winner1_held_0_6;
+      else
+        slice2winner2_best_above_0_1_choice := slice2winner1_best_above_0_2;
+      end if;
+      if ((slice2winner1_best_index_0_4 / 8) = 1) and ((slice2winner1_best_index_0_4 mod 2) = 1) then
+        slice2winner2_best_above_0_2_choice := slice2winner1_held_0_10;
+      else
+        slice2winner2_best_above_0_2_choice := slice2winner1_best_above_0_4;
+      end if;
       slice2winner2_best_above_0_3_value := ((slice2winner1_best_index_0_6 / 4) mod 2) = 1;
-      slice2winner2_best_above_0_3_choice := slice2winner1_held_0_14 when ((slice2winner1_best_index_0_6 / 8) = 1) and
-        slice2winner2_best_above_0_3_value and ((slice2winner1_best_index_0_6 mod 2) = 1) else
-        slice2winner1_best_above_0_6;
-      slice2winner2_best_second_0_0_choice := 16383 when slice2winner2_best_place_0_0 else
-        slice2winner1_best_late_cost_0_1;
-      slice2winner2_best_second_0_0_choice_2 := slice2winner1_best_but_first_0_1 when slice2winner2_best_at_end_0_0
-        else slice2winner2_best_second_0_0_choice;
-      slice2winner2_best_second_0_0_choice_3 := slice2winner1_best_late_cost_0_0 when slice2winner2_best_place_0_0 else
-        16383;
-      slice2winner2_best_second_0_0_choice_4 := slice2winner1_best_but_last_0_0 when slice2winner2_best_at_start_0_0
-        else slice2winner2_best_second_0_0_choice_3;
-      slice2winner2_best_second_0_1_choice := 16383 when slice2winner2_best_place_0_1 else
-        slice2winner1_best_late_cost_0_3;
-      slice2winner2_best_second_0_1_choice_2 := slice2winner1_best_but_first_0_3 when slice2winner2_best_at_end_0_1
-        else slice2winner2_best_second_0_1_choice;
-      slice2winner2_best_second_0_1_choice_3 := slice2winner1_best_late_cost_0_2 when slice2winner2_best_place_0_1 else
-        16383;
-      slice2winner2_best_second_0_1_choice_4 := slice2winner1_best_but_last_0_2 when slice2winner2_best_at_start_0_1
-        else slice2winner2_best_second_0_1_choice_3;
-      slice2winner2_best_second_0_2_choice := 16383 when slice2winner2_best_place_0_2 else
-        slice2winner1_best_late_cost_0_5;
-      slice2winner2_best_second_0_2_choice_2 := slice2winner1_best_but_first_0_5 when slice2winner2_best_at_end_0_2
-        else slice2winner2_best_second_0_2_choice;
-      slice2winner2_best_second_0_2_choice_3 := slice2winner1_best_late_cost_0_4 when slice2winner2_best_place_0_2 else
-        16383;
-      slice2winner2_best_second_0_2_choice_4 := slice2winner1_best_but_last_0_4 when slice2winner2_best_at_start_0_2
-        else slice2winner2_best_second_0_2_choice_3;
-      slice2winner2_best_second_0_3_choice := 16383 when slice2winner2_best_place_0_3 else
-        slice2winner1_best_late_cost_0_7;
-      slice2winner2_best_second_0_3_choice_2 := slice2winner1_best_but_first_0_7 when slice2winner2_best_at_end_0_3
-        else slice2winner2_best_second_0_3_choice;
-      slice2winner2_best_second_0_3_choice_3 := slice2winner1_best_late_cost_0_6 when slice2winner2_best_place_0_3 else
-        16383;
-      slice2winner2_best_second_0_3_choice_4 := slice2winner1_best_but_last_0_6 when slice2winner2_best_at_start_0_3
-        else slice2winner2_best_second_0_3_choice_3;
-      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when (slice2winner1_best_cost_0_1 -
-        slice2winner1_best_cost_0_0) < 0 else slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3 when (slice2winner1_best_cost_0_3 -
-        slice2winner1_best_cost_0_2) < 0 else slice2winner1_best_cost_0_2;
-      slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5 when (slice2winner1_best_cost_0_5 -
-        slice2winner1_best_cost_0_4) < 0 else slice2winner1_best_cost_0_4;
-      slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7 when (slice2winner1_best_cost_0_7 -
-        slice2winner1_best_cost_0_6) < 0 else slice2winner1_best_cost_0_6;
-      slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1 when slice2winner2_best_index_0_0_is_not_less else
-        as_number(slice2winner1_best_index_0_0);
-      slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3 when slice2winner2_best_index_0_1_is_not_less else
-        slice2winner1_best_index_0_2;
-      slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5 when slice2winner2_best_index_0_2_is_not_less else
-        slice2winner1_best_index_0_4;
-      slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7 when slice2winner2_best_index_0_3_is_not_less else
-        slice2winner1_best_index_0_6;
-      slice2winner2_best_below_0_0 <= slice2winner2_best_below_0_0_choice when slice2winner2_best_index_0_0_is_not_less
-        else slice2winner1_best_below_0_0;
-      slice2winner2_best_below_0_1 <= slice2winner2_best_below_0_1_choice when slice2winner2_best_index_0_1_is_not_less
-        else slice2winner1_best_below_0_2;
-      slice2winner2_best_below_0_2 <= slice2winner2_best_below_0_2_choice when slice2winner2_best_index_0_2_is_not_less
-        else slice2winner1_best_below_0_4;
-      slice2winner2_best_below_0_3 <= slice2winner2_best_below_0_3_choice when slice2winner2_best_index_0_3_is_not_less
-        else slice2winner1_best_below_0_6;
-      slice2winner2_best_above_0_0 <= slice2winner1_best_above_0_1 when slice2winner2_best_index_0_0_is_not_less else
-        slice2winner2_best_above_0_0_choice;
-      slice2winner2_best_above_0_1 <= slice2winner1_best_above_0_3 when slice2winner2_best_index_0_1_is_not_less else
-        slice2winner2_best_above_0_1_choice;
-      slice2winner2_best_above_0_2 <= slice2winner1_best_above_0_5 when slice2winner2_best_index_0_2_is_not_less else
-        slice2winner2_best_above_0_2_choice;
-      slice2winner2_best_above_0_3 <= slice2winner1_best_above_0_7 when slice2winner2_best_index_0_3_is_not_less else
-        slice2winner2_best_above_0_3_choice;
+      if ((slice2winner1_best_index_0_6 / 8) = 1) and slice2winner2_best_above_0_3_value and
+        ((slice2winner1_best_index_0_6 mod 2) = 1) then
+        slice2winner2_best_above_0_3_choice := slice2winner1_held_0_14;
+      else
+        slice2winner2_best_above_0_3_choice := slice2winner1_best_above_0_6;
+      end if;
+      if slice2winner2_best_place_0_0 then
+        slice2winner2_best_second_0_0_choice := 16383;
+      else
+        slice2winner2_best_second_0_0_choice := slice2winner1_best_late_cost_0_1;
+      end if;
+      if slice2winner2_best_at_end_0_0 then
+        slice2winner2_best_second_0_0_choice_2 := slice2winner1_best_but_first_0_1;
+      else
+        slice2winner2_best_second_0_0_choice_2 := slice2winner2_best_second_0_0_choice;
+      end if;
+      if slice2winner2_best_place_0_0 then
+        slice2winner2_best_second_0_0_choice_3 := slice2winner1_best_late_cost_0_0;
+      else
+        slice2winner2_best_second_0_0_choice_3 := 16383;
+      end if;
+      if slice2winner2_best_at_start_0_0 then
+        slice2winner2_best_second_0_0_choice_4 := slice2winner1_best_but_last_0_0;
+      else
+        slice2winner2_best_second_0_0_choice_4 := slice2winner2_best_second_0_0_choice_3;
+      end if;
+      if slice2winner2_best_place_0_1 then
+        slice2winner2_best_second_0_1_choice := 16383;
+      else
+        slice2winner2_best_second_0_1_choice := slice2winner1_best_late_cost_0_3;
+      end if;
+      if slice2winner2_best_at_end_0_1 then
+        slice2winner2_best_second_0_1_choice_2 := slice2winner1_best_but_first_0_3;
+      else
+        slice2winner2_best_second_0_1_choice_2 := slice2winner2_best_second_0_1_choice;
+      end if;
+      if slice2winner2_best_place_0_1 then
+        slice2winner2_best_second_0_1_choice_3 := slice2winner1_best_late_cost_0_2;
+      else
+        slice2winner2_best_second_0_1_choice_3 := 16383;
+      end if;
+      if slice2winner2_best_at_start_0_1 then
+        slice2winner2_best_second_0_1_choice_4 := slice2winner1_best_but_last_0_2;
+      else
+        slice2winner2_best_second_0_1_choice_4 := slice2winner2_best_second_0_1_choice_3;
+      end if;
+      if slice2winner2_best_place_0_2 then
+        slice2winner2_best_second_0_2_choice := 16383;
+      else
+        slice2winner2_best_second_0_2_choice := slice2winner1_best_late_cost_0_5;
+      end if;
+      if slice2winner2_best_at_end_0_2 then
+        slice2winner2_best_second_0_2_choice_2 := slice2winner1_best_but_first_0_5;
+      else
+        slice2winner2_best_second_0_2_choice_2 := slice2winner2_best_second_0_2_choice;
+      end if;
+      if slice2winner2_best_place_0_2 then
+        slice2winner2_best_second_0_2_choice_3 := slice2winner1_best_late_cost_0_4;
+      else
+        slice2winner2_best_second_0_2_choice_3 := 16383;
+      end if;
+      if slice2winner2_best_at_start_0_2 then
+        slice2winner2_best_second_0_2_choice_4 := slice2winner1_best_but_last_0_4;
+      else
+        slice2winner2_best_second_0_2_choice_4 := slice2winner2_best_second_0_2_choice_3;
+      end if;
+      if slice2winner2_best_place_0_3 then
+        slice2winner2_best_second_0_3_choice := 16383;
+      else
+        slice2winner2_best_second_0_3_choice := slice2winner1_best_late_cost_0_7;
+      end if;
+      if slice2winner2_best_at_end_0_3 then
+        slice2winner2_best_second_0_3_choice_2 := slice2winner1_best_but_first_0_7;
+      else
+        slice2winner2_best_second_0_3_choice_2 := slice2winner2_best_second_0_3_choice;
+      end if;
+      if slice2winner2_best_place_0_3 then
+        slice2winner2_best_second_0_3_choice_3 := slice2winner1_best_late_cost_0_6;
+      else
+        slice2winner2_best_second_0_3_choice_3 := 16383;
+      end if;
+      if slice2winner2_best_at_start_0_3 then
+        slice2winner2_best_second_0_3_choice_4 := slice2winner1_best_but_last_0_6;
+      else
+        slice2winner2_best_second_0_3_choice_4 := slice2winner2_best_second_0_3_choice_3;
+      end if;
       slice2winner2_best_first_0_0 <= slice2winner1_held_0_0;
       slice2winner2_best_first_0_1 <= slice2winner1_held_0_4;
       slice2winner2_best_first_0_2 <= slice2winner1_held_0_8;
@@ -4219,81 +5919,189 @@ begin
       slice2winner2_best_late_cost_0_1 <= slice2winner2_best_cost_0_1;
       slice2winner2_best_late_cost_0_2 <= slice2winner2_best_cost_0_2;
       slice2winner2_best_late_cost_0_3 <= slice2winner2_best_cost_0_3;
-      slice2winner2_best_second_0_0 <= slice2winner2_best_second_0_0_choice_2 when
-        (slice2winner2_best_second_0_0_choice_2 - slice2winner2_best_second_0_0_choice_4) < 0 else
-        slice2winner2_best_second_0_0_choice_4;
-      slice2winner2_best_second_0_1 <= slice2winner2_best_second_0_1_choice_2 when
-        (slice2winner2_best_second_0_1_choice_2 - slice2winner2_best_second_0_1_choice_4) < 0 else
-        slice2winner2_best_second_0_1_choice_4;
-      slice2winner2_best_second_0_2 <= slice2winner2_best_second_0_2_choice_2 when
-        (slice2winner2_best_second_0_2_choice_2 - slice2winner2_best_second_0_2_choice_4) < 0 else
-        slice2winner2_best_second_0_2_choice_4;
-      slice2winner2_best_second_0_3 <= slice2winner2_best_second_0_3_choice_2 when
-        (slice2winner2_best_second_0_3_choice_2 - slice2winner2_best_second_0_3_choice_4) < 0 else
-        slice2winner2_best_second_0_3_choice_4;
-      slice2winner2_best_but_first_0_0 <= slice2winner1_best_late_cost_0_1 when (slice2winner1_best_late_cost_0_1 -
-        slice2winner1_best_but_first_0_0) < 0 else slice2winner1_best_but_first_0_0;
-      slice2winner2_best_but_first_0_1 <= slice2winner1_best_late_cost_0_3 when (slice2winner1_best_late_cost_0_3 -
-        slice2winner1_best_but_first_0_2) < 0 else slice2winner1_best_but_first_0_2;
-      slice2winner2_best_but_first_0_2 <= slice2winner1_best_late_cost_0_5 when (slice2winner1_best_late_cost_0_5 -
-        slice2winner1_best_but_first_0_4) < 0 else slice2winner1_best_but_first_0_4;
-      slice2winner2_best_but_first_0_3 <= slice2winner1_best_late_cost_0_7 when (slice2winner1_best_late_cost_0_7 -
-        slice2winner1_best_but_first_0_6) < 0 else slice2winner1_best_but_first_0_6;
-      slice2winner2_best_but_last_0_0 <= slice2winner1_best_but_last_0_1 when (slice2winner1_best_but_last_0_1 -
-        slice2winner1_best_late_cost_0_0) < 0 else slice2winner1_best_late_cost_0_0;
-      slice2winner2_best_but_last_0_1 <= slice2winner1_best_but_last_0_3 when (slice2winner1_best_but_last_0_3 -
-        slice2winner1_best_late_cost_0_2) < 0 else slice2winner1_best_late_cost_0_2;
-      slice2winner2_best_but_last_0_2 <= slice2winner1_best_but_last_0_5 when (slice2winner1_best_but_last_0_5 -
-        slice2winner1_best_late_cost_0_4) < 0 else slice2winner1_best_late_cost_0_4;
-      slice2winner2_best_but_last_0_3 <= slice2winner1_best_but_last_0_7 when (slice2winner1_best_but_last_0_7 -
-        slice2winner1_best_late_cost_0_6) < 0 else slice2winner1_best_late_cost_0_6;
+      if (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0 then
+        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1;
+      else
+        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
+      end if;
+      if (slice2winner1_best_cost_0_3 - slice2winner1_best_cost_0_2) < 0 then
+        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_3;
+      else
+        slice2winner2_best_cost_0_1 <= slice2winner1_best_cost_0_2;
+      end if;
+      if (slice2winner1_best_cost_0_5 - slice2winner1_best_cost_0_4) < 0 then
+        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_5;
+      else
+        slice2winner2_best_cost_0_2 <= slice2winner1_best_cost_0_4;
+      end if;
+      if (slice2winner1_best_cost_0_7 - slice2winner1_best_cost_0_6) < 0 then
+        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_7;
+      else
+        slice2winner2_best_cost_0_3 <= slice2winner1_best_cost_0_6;
+      end if;
+      if slice2winner2_best_index_0_0_is_not_less then
+        slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_1;
+        slice2winner2_best_below_0_0 <= slice2winner2_best_below_0_0_choice;
+        slice2winner2_best_above_0_0 <= slice2winner1_best_above_0_1;
+      else
+        slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
+        slice2winner2_best_below_0_0 <= slice2winner1_best_below_0_0;
+        slice2winner2_best_above_0_0 <= slice2winner2_best_above_0_0_choice;
+      end if;
+      if slice2winner2_best_index_0_1_is_not_less then
+        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_3;
+        slice2winner2_best_below_0_1 <= slice2winner2_best_below_0_1_choice;
+        slice2winner2_best_above_0_1 <= slice2winner1_best_above_0_3;
+      else
+        slice2winner2_best_index_0_1 <= slice2winner1_best_index_0_2;
+        slice2winner2_best_below_0_1 <= slice2winner1_best_below_0_2;
+        slice2winner2_best_above_0_1 <= slice2winner2_best_above_0_1_choice;
+      end if;
+      if slice2winner2_best_index_0_2_is_not_less then
+        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_5;
+        slice2winner2_best_below_0_2 <= slice2winner2_best_below_0_2_choice;
+        slice2winner2_best_above_0_2 <= slice2winner1_best_above_0_5;
+      else
+        slice2winner2_best_index_0_2 <= slice2winner1_best_index_0_4;
+        slice2winner2_best_below_0_2 <= slice2winner1_best_below_0_4;
+        slice2winner2_best_above_0_2 <= slice2winner2_best_above_0_2_choice;
+      end if;
+      if slice2winner2_best_index_0_3_is_not_less then
+        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_7;
+        slice2winner2_best_below_0_3 <= slice2winner2_best_below_0_3_choice;
+        slice2winner2_best_above_0_3 <= slice2winner1_best_above_0_7;
+      else
+        slice2winner2_best_index_0_3 <= slice2winner1_best_index_0_6;
+        slice2winner2_best_below_0_3 <= slice2winner1_best_below_0_6;
+        slice2winner2_best_above_0_3 <= slice2winner2_best_above_0_3_choice;
+      end if;
+      if (slice2winner2_best_second_0_0_choice_2 - slice2winner2_best_second_0_0_choice_4) < 0 then
+        slice2winner2_best_second_0_0 <= slice2winner2_best_second_0_0_choice_2;
+      else
+        slice2winner2_best_second_0_0 <= slice2winner2_best_second_0_0_choice_4;
+      end if;
+      if (slice2winner2_best_second_0_1_choice_2 - slice2winner2_best_second_0_1_choice_4) < 0 then
+        slice2winner2_best_second_0_1 <= slice2winner2_best_second_0_1_choice_2;
+      else
+        slice2winner2_best_second_0_1 <= slice2winner2_best_second_0_1_choice_4;
+      end if;
+      if (slice2winner2_best_second_0_2_choice_2 - slice2winner2_best_second_0_2_choice_4) < 0 then
+        slice2winner2_best_second_0_2 <= slice2winner2_best_second_0_2_choice_2;
+      else
+        slice2winner2_best_second_0_2 <= slice2winner2_best_second_0_2_choice_4;
+      end if;
+      if (slice2winner2_best_second_0_3_choice_2 - slice2winner2_best_second_0_3_choice_4) < 0 then
+        slice2winner2_best_second_0_3 <= slice2winner2_best_second_0_3_choice_2;
+      else
+        slice2winner2_best_second_0_3 <= slice2winner2_best_second_0_3_choice_4;
+      end if;
+      if (slice2winner1_best_late_cost_0_1 - slice2winner1_best_but_first_0_0) < 0 then
+        slice2winner2_best_but_first_0_0 <= slice2winner1_best_late_cost_0_1;
+      else
+        slice2winner2_best_but_first_0_0 <= slice2winner1_best_but_first_0_0;
+      end if;
+      if (slice2winner1_best_late_cost_0_3 - slice2winner1_best_but_first_0_2) < 0 then
+        slice2winner2_best_but_first_0_1 <= slice2winner1_best_late_cost_0_3;
+      else
+        slice2winner2_best_but_first_0_1 <= slice2winner1_best_but_first_0_2;
+      end if;
+      if (slice2winner1_best_late_cost_0_5 - slice2winner1_best_but_first_0_4) < 0 then
+        slice2winner2_best_but_first_0_2 <= slice2winner1_best_late_cost_0_5;
+      else
+        slice2winner2_best_but_first_0_2 <= slice2winner1_best_but_first_0_4;
+      end if;
+      if (slice2winner1_best_late_cost_0_7 - slice2winner1_best_but_first_0_6) < 0 then
+        slice2winner2_best_but_first_0_3 <= slice2winner1_best_late_cost_0_7;
+      else
+        slice2winner2_best_but_first_0_3 <= slice2winner1_best_but_first_0_6;
+      end if;
+      if (slice2winner1_best_but_last_0_1 - slice2winner1_best_late_cost_0_0) < 0 then
+        slice2winner2_best_but_last_0_0 <= slice2winner1_best_but_last_0_1;
+      else
+        slice2winner2_best_but_last_0_0 <= slice2winner1_best_late_cost_0_0;
+      end if;
+      if (slice2winner1_best_but_last_0_3 - slice2winner1_best_late_cost_0_2) < 0 then
+        slice2winner2_best_but_last_0_1 <= slice2winner1_best_but_last_0_3;
+      else
+        slice2winner2_best_but_last_0_1 <= slice2winner1_best_late_cost_0_2;
+      end if;
+      if (slice2winner1_best_but_last_0_5 - slice2winner1_best_late_cost_0_4) < 0 then
+        slice2winner2_best_but_last_0_2 <= slice2winner1_best_but_last_0_5;
+      else
+        slice2winner2_best_but_last_0_2 <= slice2winner1_best_late_cost_0_4;
+      end if;
+      if (slice2winner1_best_but_last_0_7 - slice2winner1_best_late_cost_0_6) < 0 then
+        slice2winner2_best_but_last_0_3 <= slice2winner1_best_but_last_0_7;
+      else
+        slice2winner2_best_but_last_0_3 <= slice2winner1_best_late_cost_0_6;
+      end if;
       -- slice2winner3
       slice2winner3_best_index_0_0_is_not_less := (slice2winner2_best_cost_0_0 - slice2winner2_best_cost_0_1) >= 0;
       slice2winner3_best_index_0_1_is_not_less := (slice2winner2_best_cost_0_2 - slice2winner2_best_cost_0_3) >= 0;
       slice2winner3_best_below_0_0_is_equal := slice2winner2_best_index_0_1 = 4;
-      slice2winner3_best_below_0_0_choice := slice2winner2_best_last_0_0 when slice2winner3_best_below_0_0_is_equal
-        else slice2winner2_best_below_0_1;
+      if slice2winner3_best_below_0_0_is_equal then
+        slice2winner3_best_below_0_0_choice := slice2winner2_best_last_0_0;
+      else
+        slice2winner3_best_below_0_0_choice := slice2winner2_best_below_0_1;
+      end if;
       slice2winner3_best_below_0_1_is_equal := slice2winner2_best_index_0_3 = 12;
-      slice2winner3_best_below_0_1_choice := slice2winner2_best_last_0_2 when slice2winner3_best_below_0_1_is_equal
-        else slice2winner2_best_below_0_3;
+      if slice2winner3_best_below_0_1_is_equal then
+        slice2winner3_best_below_0_1_choice := slice2winner2_best_last_0_2;
+      else
+        slice2winner3_best_below_0_1_choice := slice2winner2_best_below_0_3;
+      end if;
       slice2winner3_best_above_0_0_is_equal := slice2winner2_best_index_0_0 = 3;
-      slice2winner3_best_above_0_0_choice := slice2winner2_best_first_0_1 when slice2winner3_best_above_0_0_is_equal
-        else slice2winner2_best_above_0_0;
+      if slice2winner3_best_above_0_0_is_equal then
+        slice2winner3_best_above_0_0_choice := slice2winner2_best_first_0_1;
+      else
+        slice2winner3_best_above_0_0_choice := slice2winner2_best_above_0_0;
+      end if;
       slice2winner3_best_above_0_1_is_equal := (slice2winner2_best_index_0_2 mod 4) = 3;
-      slice2winner3_best_above_0_1_choice := slice2winner2_best_first_0_3 when ((slice2winner2_best_index_0_2 / 8) = 1)
-        and slice2winner3_best_above_0_1_is_equal else slice2winner2_best_above_0_2;
-      slice2winner3_best_second_0_0_choice := slice2winner2_best_second_0_1 when slice2winner3_best_place_0_0 else
-        slice2winner2_best_late_cost_0_1;
-      slice2winner3_best_second_0_0_choice_2 := slice2winner2_best_but_first_0_1 when slice2winner3_best_at_end_0_0
-        else slice2winner3_best_second_0_0_choice;
-      slice2winner3_best_second_0_0_choice_3 := slice2winner2_best_late_cost_0_0 when slice2winner3_best_place_0_0 else
-        slice2winner2_best_second_0_0;
-      slice2winner3_best_second_0_0_choice_4 := slice2winner2_best_but_last_0_0 when slice2winner3_best_at_start_0_0
-        else slice2winner3_best_second_0_0_choice_3;
-      slice2winner3_best_second_0_1_choice := slice2winner2_best_second_0_3 when slice2winner3_best_place_0_1 else
-        slice2winner2_best_late_cost_0_3;
-      slice2winner3_best_second_0_1_choice_2 := slice2winner2_best_but_first_0_3 when slice2winner3_best_at_end_0_1
-        else slice2winner3_best_second_0_1_choice;
-      slice2winner3_best_second_0_1_choice_3 := slice2winner2_best_late_cost_0_2 when slice2winner3_best_place_0_1 else
-        slice2winner2_best_second_0_2;
-      slice2winner3_best_second_0_1_choice_4 := slice2winner2_best_but_last_0_2 when slice2winner3_best_at_start_0_1
-        else slice2winner3_best_second_0_1_choice_3;
-      slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1 when (slice2winner2_best_cost_0_1 -
-        slice2winner2_best_cost_0_0) < 0 else slice2winner2_best_cost_0_0;
-      slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3 when (slice2winner2_best_cost_0_3 -
-        slice2winner2_best_cost_0_2) < 0 else slice2winner2_best_cost_0_2;
-      slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1 when slice2winner3_best_index_0_0_is_not_less else
-        slice2winner2_best_index_0_0;
-      slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3 when slice2winner3_best_index_0_1_is_not_less else
-        slice2winner2_best_index_0_2;
-      slice2winner3_best_below_0_0 <= slice2winner3_best_below_0_0_choice when slice2winner3_best_index_0_0_is_not_less
-        else slice2winner2_best_below_0_0;
-      slice2winner3_best_below_0_1 <= slice2winner3_best_below_0_1_choice when slice2winner3_best_index_0_1_is_not_less
-        else slice2winner2_best_below_0_2;
-      slice2winner3_best_above_0_0 <= slice2winner2_best_above_0_1 when slice2winner3_best_index_0_0_is_not_less else
-        slice2winner3_best_above_0_0_choice;
-      slice2winner3_best_above_0_1 <= slice2winner2_best_above_0_3 when slice2winner3_best_index_0_1_is_not_less else
-        slice2winner3_best_above_0_1_choice;
+      if ((slice2winner2_best_index_0_2 / 8) = 1) and slice2winner3_best_above_0_1_is_equal then
+        slice2winner3_best_above_0_1_choice := slice2winner2_best_first_0_3;
+      else
+        slice2winner3_best_above_0_1_choice := slice2winner2_best_above_0_2;
+      end if;
+      if slice2winner3_best_place_0_0 then
+        slice2winner3_best_second_0_0_choice := slice2winner2_best_second_0_1;
+      else
+        slice2winner3_best_second_0_0_choice := slice2winner2_best_late_cost_0_1;
+      end if;
+      if slice2winner3_best_at_end_0_0 then
+        slice2winner3_best_second_0_0_choice_2 := slice2winner2_best_but_first_0_1;
+      else
+        slice2winner3_best_second_0_0_choice_2 := slice2winner3_best_second_0_0_choice;
+      end if;
+      if slice2winner3_best_place_0_0 then
+        slice2winner3_best_second_0_0_choice_3 := slice2winner2_best_late_cost_0_0;
+      else
+        slice2winner3_best_second_0_0_choice_3 := slice2winner2_best_second_0_0;
+      end if;
+      if slice2winner3_best_at_start_0_0 then
+        slice2winner3_best_second_0_0_choice_4 := slice2winner2_best_but_last_0_0;
+      else
+        slice2winner3_best_second_0_0_choice_4 := slice2winner3_best_second_0_0_choice_3;
+      end if;
+      if slice2winner3_best_place_0_1 then
+        slice2winner3_best_second_0_1_choice := slice2winner2_best_second_0_3;
+      else
+        slice2winner3_best_second_0_1_choice := slice2winner2_best_late_cost_0_3;
+      end if;
+      if slice2winner3_best_at_end_0_1 then
+        slice2winner3_best_second_0_1_choice_2 := slice2winner2_best_but_first_0_3;
+      else
+        slice2winner3_best_second_0_1_choice_2 := slice2winner3_best_second_0_1_choice;
+      end if;
+      if slice2winner3_best_place_0_1 then
+        slice2winner3_best_second_0_1_choice_3 := slice2winner2_best_late_cost_0_2;
+      else
+        slice2winner3_best_second_0_1_choice_3 := slice2winner2_best_second_0_2;
+      end if;
+      if slice2winner3_best_at_start_0_1 then
+        slice2winner3_best_second_0_1_choice_4 := slice2winner2_best_but_last_0_2;
+      else
+        slice2winner3_best_second_0_1_choice_4 := slice2winner3_best_second_0_1_choice_3;
+      end if;
       slice2winner3_best_first_0_0 <= slice2winner2_best_first_0_0;
       slice2winner3_best_first_0_1 <= slice2winner2_best_first_0_2;
       slice2winner3_best_last_0_0 <= slice2winner2_best_last_0_1;
@@ -4310,45 +6118,99 @@ begin
         ((slice2winner2_best_index_0_2 / 8) = 1) and slice2winner3_best_above_0_1_is_equal;
       slice2winner3_best_late_cost_0_0 <= slice2winner3_best_cost_0_0;
       slice2winner3_best_late_cost_0_1 <= slice2winner3_best_cost_0_1;
-      slice2winner3_best_second_0_0 <= slice2winner3_best_second_0_0_choice_2 when
-        (slice2winner3_best_second_0_0_choice_2 - slice2winner3_best_second_0_0_choice_4) < 0 else
-        slice2winner3_best_second_0_0_choice_4;
-      slice2winner3_best_second_0_1 <= slice2winner3_best_second_0_1_choice_2 when
-        (slice2winner3_best_second_0_1_choice_2 - slice2winner3_best_second_0_1_choice_4) < 0 else
-        slice2winner3_best_second_0_1_choice_4;
-      slice2winner3_best_but_first_0_0 <= slice2winner2_best_late_cost_0_1 when (slice2winner2_best_late_cost_0_1 -
-        slice2winner2_best_but_first_0_0) < 0 else slice2winner2_best_but_first_0_0;
-      slice2winner3_best_but_first_0_1 <= slice2winner2_best_late_cost_0_3 when (slice2winner2_best_late_cost_0_3 -
-        slice2winner2_best_but_first_0_2) < 0 else slice2winner2_best_but_first_0_2;
-      slice2winner3_best_but_last_0_0 <= slice2winner2_best_but_last_0_1 when (slice2winner2_best_but_last_0_1 -
-        slice2winner2_best_late_cost_0_0) < 0 else slice2winner2_best_late_cost_0_0;
-      slice2winner3_best_but_last_0_1 <= slice2winner2_best_but_last_0_3 when (slice2winner2_best_but_last_0_3 -
-        slice2winner2_best_late_cost_0_2) < 0 else slice2winner2_best_late_cost_0_2;
+      if (slice2winner2_best_cost_0_1 - slice2winner2_best_cost_0_0) < 0 then
+        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_1;
+      else
+        slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+      end if;
+      if (slice2winner2_best_cost_0_3 - slice2winner2_best_cost_0_2) < 0 then
+        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_3;
+      else
+        slice2winner3_best_cost_0_1 <= slice2winner2_best_cost_0_2;
+      end if;
+      if slice2winner3_best_index_0_0_is_not_less then
+        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_1;
+        slice2winner3_best_below_0_0 <= slice2winner3_best_below_0_0_choice;
+        slice2winner3_best_above_0_0 <= slice2winner2_best_above_0_1;
+      else
+        slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
+        slice2winner3_best_below_0_0 <= slice2winner2_best_below_0_0;
+        slice2winner3_best_above_0_0 <= slice2winner3_best_above_0_0_choice;
+      end if;
+      if slice2winner3_best_index_0_1_is_not_less then
+        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_3;
+        slice2winner3_best_below_0_1 <= slice2winner3_best_below_0_1_choice;
+        slice2winner3_best_above_0_1 <= slice2winner2_best_above_0_3;
+      else
+        slice2winner3_best_index_0_1 <= slice2winner2_best_index_0_2;
+        slice2winner3_best_below_0_1 <= slice2winner2_best_below_0_2;
+        slice2winner3_best_above_0_1 <= slice2winner3_best_above_0_1_choice;
+      end if;
+      if (slice2winner3_best_second_0_0_choice_2 - slice2winner3_best_second_0_0_choice_4) < 0 then
+        slice2winner3_best_second_0_0 <= slice2winner3_best_second_0_0_choice_2;
+      else
+        slice2winner3_best_second_0_0 <= slice2winner3_best_second_0_0_choice_4;
+      end if;
+      if (slice2winner3_best_second_0_1_choice_2 - slice2winner3_best_second_0_1_choice_4) < 0 then
+        slice2winner3_best_second_0_1 <= slice2winner3_best_second_0_1_choice_2;
+      else
+        slice2winner3_best_second_0_1 <= slice2winner3_best_second_0_1_choice_4;
+      end if;
+      if (slice2winner2_best_late_cost_0_1 - slice2winner2_best_but_first_0_0) < 0 then
+        slice2winner3_best_but_first_0_0 <= slice2winner2_best_late_cost_0_1;
+      else
+        slice2winner3_best_but_first_0_0 <= slice2winner2_best_but_first_0_0;
+      end if;
+      if (slice2winner2_best_late_cost_0_3 - slice2winner2_best_but_first_0_2) < 0 then
+        slice2winner3_best_but_first_0_1 <= slice2winner2_best_late_cost_0_3;
+      else
+        slice2winner3_best_but_first_0_1 <= slice2winner2_best_but_first_0_2;
+      end if;
+      if (slice2winner2_best_but_last_0_1 - slice2winner2_best_late_cost_0_0) < 0 then
+        slice2winner3_best_but_last_0_0 <= slice2winner2_best_but_last_0_1;
+      else
+        slice2winner3_best_but_last_0_0 <= slice2winner2_best_late_cost_0_0;
+      end if;
+      if (slice2winner2_best_but_last_0_3 - slice2winner2_best_late_cost_0_2) < 0 then
+        slice2winner3_best_but_last_0_1 <= slice2winner2_best_but_last_0_3;
+      else
+        slice2winner3_best_but_last_0_1 <= slice2winner2_best_late_cost_0_2;
+      end if;
       -- slice2winner4
       slice2winner4_best_index_0_0_is_less := (slice2winner3_best_cost_0_0 - slice2winner3_best_cost_0_1) < 0;
       slice2winner4_best_below_0_0_is_equal := slice2winner3_best_index_0_1 = 8;
-      slice2winner4_best_below_0_0_choice := slice2winner3_best_last_0_0 when slice2winner4_best_below_0_0_is_equal
-        else slice2winner3_best_below_0_1;
+      if slice2winner4_best_below_0_0_is_equal then
+        slice2winner4_best_below_0_0_choice := slice2winner3_best_last_0_0;
+      else
+        slice2winner4_best_below_0_0_choice := slice2winner3_best_below_0_1;
+      end if;
       slice2winner4_best_above_0_0_is_equal := slice2winner3_best_index_0_0 = 7;
-      slice2winner4_best_above_0_0_choice := slice2winner3_best_first_0_1 when slice2winner4_best_above_0_0_is_equal
-        else slice2winner3_best_above_0_0;
+      if slice2winner4_best_above_0_0_is_equal then
+        slice2winner4_best_above_0_0_choice := slice2winner3_best_first_0_1;
+      else
+        slice2winner4_best_above_0_0_choice := slice2winner3_best_above_0_0;
+      end if;
       slice2winner4_best_place_0_0_is_not_less := (slice2winner3_best_cost_0_0 - slice2winner3_best_cost_0_1) >= 0;
-      slice2winner4_best_second_0_0_choice := slice2winner3_best_second_0_1 when slice2winner4_best_place_0_0 else
-        slice2winner3_best_late_cost_0_1;
-      slice2winner4_best_second_0_0_choice_2 := slice2winner3_best_but_first_0_1 when slice2winner4_best_at_end_0_0
-        else slice2winner4_best_second_0_0_choice;
-      slice2winner4_best_second_0_0_choice_3 := slice2winner3_best_late_cost_0_0 when slice2winner4_best_place_0_0 else
-        slice2winner3_best_second_0_0;
-      slice2winner4_best_second_0_0_choice_4 := slice2winner3_best_but_last_0_0 when slice2winner4_best_at_start_0_0
-        else slice2winner4_best_second_0_0_choice_3;
-      slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1 when (slice2winner3_best_cost_0_1 -
-        slice2winner3_best_cost_0_0) < 0 else slice2winner3_best_cost_0_0;
-      slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0 when slice2winner4_best_index_0_0_is_less else
-        slice2winner3_best_index_0_1;
-      slice2winner4_best_below_0_0 <= slice2winner3_best_below_0_0 when slice2winner4_best_index_0_0_is_less else
-        slice2winner4_best_below_0_0_choice;
-      slice2winner4_best_above_0_0 <= slice2winner4_best_above_0_0_choice when slice2winner4_best_index_0_0_is_less
-        else slice2winner3_best_above_0_1;
+      if slice2winner4_best_place_0_0 then
+        slice2winner4_best_second_0_0_choice := slice2winner3_best_second_0_1;
+      else
+        slice2winner4_best_second_0_0_choice := slice2winner3_best_late_cost_0_1;
+      end if;
+      if slice2winner4_best_at_end_0_0 then
+        slice2winner4_best_second_0_0_choice_2 := slice2winner3_best_but_first_0_1;
+      else
+        slice2winner4_best_second_0_0_choice_2 := slice2winner4_best_second_0_0_choice;
+      end if;
+      if slice2winner4_best_place_0_0 then
+        slice2winner4_best_second_0_0_choice_3 := slice2winner3_best_late_cost_0_0;
+      else
+        slice2winner4_best_second_0_0_choice_3 := slice2winner3_best_second_0_0;
+      end if;
+      if slice2winner4_best_at_start_0_0 then
+        slice2winner4_best_second_0_0_choice_4 := slice2winner3_best_but_last_0_0;
+      else
+        slice2winner4_best_second_0_0_choice_4 := slice2winner4_best_second_0_0_choice_3;
+      end if;
       slice2winner4_best_first_0_0 <= slice2winner3_best_first_0_0;
       slice2winner4_best_last_0_0 <= slice2winner3_best_last_0_1;
       slice2winner4_best_place_0_0 <= slice2winner4_best_place_0_0_is_not_less;
@@ -4356,51 +6218,103 @@ begin
         slice2winner4_best_place_0_0_is_not_less;
       slice2winner4_best_at_end_0_0 <= slice2winner4_best_index_0_0_is_less and slice2winner4_best_above_0_0_is_equal;
       slice2winner4_best_late_cost_0_0 <= slice2winner4_best_cost_0_0;
-      slice2winner4_best_second_0_0 <= slice2winner4_best_second_0_0_choice_2 when
-        (slice2winner4_best_second_0_0_choice_2 - slice2winner4_best_second_0_0_choice_4) < 0 else
-        slice2winner4_best_second_0_0_choice_4;
-      slice2winner4_best_but_first_0_0 <= slice2winner3_best_late_cost_0_1 when (slice2winner3_best_late_cost_0_1 -
-        slice2winner3_best_but_first_0_0) < 0 else slice2winner3_best_but_first_0_0;
-      slice2winner4_best_but_last_0_0 <= slice2winner3_best_but_last_0_1 when (slice2winner3_best_but_last_0_1 -
-        slice2winner3_best_late_cost_0_0) < 0 else slice2winner3_best_late_cost_0_0;
+      if (slice2winner3_best_cost_0_1 - slice2winner3_best_cost_0_0) < 0 then
+        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_1;
+      else
+        slice2winner4_best_cost_0_0 <= slice2winner3_best_cost_0_0;
+      end if;
+      if slice2winner4_best_index_0_0_is_less then
+        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_0;
+        slice2winner4_best_below_0_0 <= slice2winner3_best_below_0_0;
+        slice2winner4_best_above_0_0 <= slice2winner4_best_above_0_0_choice;
+      else
+        slice2winner4_best_index_0_0 <= slice2winner3_best_index_0_1;
+        slice2winner4_best_below_0_0 <= slice2winner4_best_below_0_0_choice;
+        slice2winner4_best_above_0_0 <= slice2winner3_best_above_0_1;
+      end if;
+      if (slice2winner4_best_second_0_0_choice_2 - slice2winner4_best_second_0_0_choice_4) < 0 then
+        slice2winner4_best_second_0_0 <= slice2winner4_best_second_0_0_choice_2;
+      else
+        slice2winner4_best_second_0_0 <= slice2winner4_best_second_0_0_choice_4;
+      end if;
+      if (slice2winner3_best_late_cost_0_1 - slice2winner3_best_but_first_0_0) < 0 then
+        slice2winner4_best_but_first_0_0 <= slice2winner3_best_late_cost_0_1;
+      else
+        slice2winner4_best_but_first_0_0 <= slice2winner3_best_but_first_0_0;
+      end if;
+      if (slice2winner3_best_but_last_0_1 - slice2winner3_best_late_cost_0_0) < 0 then
+        slice2winner4_best_but_last_0_0 <= slice2winner3_best_but_last_0_1;
+      else
+        slice2winner4_best_but_last_0_0 <= slice2winner3_best_late_cost_0_0;
+      end if;
       -- slice2
       slice2_best_index_0_0_is_less := (slice1_best_cost_0_0 - slice2winner4_best_cost_0_0) < 0;
       slice2_best_below_0_0_is_equal := slice2winner4_best_index_0_0 = 0;
-      slice2_best_below_0_0_choice := slice1_best_last_0_0 when slice2_best_below_0_0_is_equal else
-        slice2winner4_best_below_0_0;
+      if slice2_best_below_0_0_is_equal then
+        slice2_best_below_0_0_choice := slice1_best_last_0_0;
+      else
+        slice2_best_below_0_0_choice := slice2winner4_best_below_0_0;
+      end if;
       slice2_best_above_0_0_is_equal := slice1_best_index_0_0 = 31;
-      slice2_best_above_0_0_choice := slice2winner4_best_first_0_0 when slice2_best_above_0_0_is_equal else
-        slice1_best_above_0_0;
+      if slice2_best_above_0_0_is_equal then
+        slice2_best_above_0_0_choice := slice2winner4_best_first_0_0;
+      else
+        slice2_best_above_0_0_choice := slice1_best_above_0_0;
+      end if;
       slice2_best_place_0_0_is_not_less := (slice1_best_cost_0_0 - slice2winner4_best_cost_0_0) >= 0;
-      slice2_best_second_0_0_choice := slice2winner4_best_second_0_0 when slice2_best_place_0_0 else
-        slice2winner4_best_late_cost_0_0;
-      slice2_best_second_0_0_choice_2 := slice2winner4_best_but_first_0_0 when slice2_best_at_end_0_0 else
-        slice2_best_second_0_0_choice;
-      slice2_best_second_0_0_choice_3 := slice1_best_late_cost_0_0 when slice2_best_place_0_0 else
-        slice1_best_second_0_0;
-      slice2_best_second_0_0_choice_4 := slice1_best_but_last_0_0 when slice2_best_at_start_0_0 else
-        slice2_best_second_0_0_choice_3;
-      slice2_best_cost_0_0 <= slice2winner4_best_cost_0_0 when (slice2winner4_best_cost_0_0 - slice1_best_cost_0_0) < 0
-        else slice1_best_cost_0_0;
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_index_0_0_is_less else
-        slice2winner4_best_index_0_0 + 32;
-      slice2_best_below_0_0 <= slice1_best_below_0_0 when slice2_best_index_0_0_is_less else
-        slice2_best_below_0_0_choice;
-      slice2_best_above_0_0 <= slice2_best_above_0_0_choice when slice2_best_index_0_0_is_less else
-        slice2winner4_best_above_0_0;
+      if slice2_best_place_0_0 then
+        slice2_best_second_0_0_choice := slice2winner4_best_second_0_0;
+      else
+        slice2_best_second_0_0_choice := slice2winner4_best_late_cost_0_0;
+      end if;
+      if slice2_best_at_end_0_0 then
+        slice2_best_second_0_0_choice_2 := slice2winner4_best_but_first_0_0;
+      else
+        slice2_best_second_0_0_choice_2 := slice2_best_second_0_0_choice;
+      end if;
+      if slice2_best_place_0_0 then
+        slice2_best_second_0_0_choice_3 := slice1_best_late_cost_0_0;
+      else
+        slice2_best_second_0_0_choice_3 := slice1_best_second_0_0;
+      end if;
+      if slice2_best_at_start_0_0 then
+        slice2_best_second_0_0_choice_4 := slice1_best_but_last_0_0;
+      else
+        slice2_best_second_0_0_choice_4 := slice2_best_second_0_0_choice_3;
+      end if;
       slice2_best_last_0_0 <= slice2winner4_best_last_0_0;
       slice2_best_place_0_0 <= slice2_best_place_0_0_is_not_less;
       slice2_best_at_start_0_0 <= slice2_best_below_0_0_is_equal and slice2_best_place_0_0_is_not_less;
       slice2_best_at_end_0_0 <= slice2_best_index_0_0_is_less and slice2_best_above_0_0_is_equal;
       slice2_best_late_cost_0_0 <= slice2_best_cost_0_0;
-      slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2 when (slice2_best_second_0_0_choice_2 -
-        slice2_best_second_0_0_choice_4) < 0 else slice2_best_second_0_0_choice_4;
-      slice2_best_but_last_0_0 <= slice2winner4_best_but_last_0_0 when (slice2winner4_best_but_last_0_0 -
-        slice1_best_late_cost_0_0) < 0 else slice1_best_late_cost_0_0;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if (slice2winner4_best_cost_0_0 - slice1_best_cost_0_0) < 0 then
+        slice2_best_cost_0_0 <= slice2winner4_best_cost_0_0;
+      else
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+      end if;
+      if slice2_best_index_0_0_is_less then
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+        slice2_best_below_0_0 <= slice1_best_below_0_0;
+        slice2_best_above_0_0 <= slice2_best_above_0_0_choice;
+      else
+        slice2_best_index_0_0 <= slice2winner4_best_index_0_0 + 32;
+        slice2_best_below_0_0 <= slice2_best_below_0_0_choice;
+        slice2_best_above_0_0 <= slice2winner4_best_above_0_0;
+      end if;
+      if (slice2_best_second_0_0_choice_2 - slice2_best_second_0_0_choice_4) < 0 then
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2;
+      else
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_4;
+      end if;
+      if (slice2winner4_best_but_last_0_0 - slice1_best_late_cost_0_0) < 0 then
+        slice2_best_but_last_0_0 <= slice2winner4_best_but_last_0_0;
+      else
+        slice2_best_but_last_0_0 <= slice1_best_late_cost_0_0;
+      end if;
       -- slice3shift
       if slice0cost_pixels_tag_valid then
         slice3shift_search_0_0 <= slice2shift_search_out_0;
@@ -4439,65 +6353,166 @@ begin
       slice3shift_reference_0 <= slice2shift_reference_0;
       slice3shift_reference_1 <= slice2shift_reference_1;
       -- slice3cost
-      slice3cost_column_0_0_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_0 mod 1024;
-      slice3cost_column_0_0_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_0 +
-        slice3cost_column_0_0_choice) mod 1024;
-      slice3cost_column_0_1_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_0 / 1024)
-        mod 1024;
-      slice3cost_column_0_1_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_1 +
-        slice3cost_column_0_1_choice) mod 1024;
-      slice3cost_column_0_2_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_0 /
-        1048576;
-      slice3cost_column_0_2_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_2 +
-        slice3cost_column_0_2_choice) mod 1024;
-      slice3cost_column_0_3_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_1 mod 1024;
-      slice3cost_column_0_3_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_3 +
-        slice3cost_column_0_3_choice) mod 1024;
-      slice3cost_column_0_4_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_1 / 1024)
-        mod 1024;
-      slice3cost_column_0_4_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_4 +
-        slice3cost_column_0_4_choice) mod 1024;
-      slice3cost_column_0_5_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_1 /
-        1048576;
-      slice3cost_column_0_5_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_5 +
-        slice3cost_column_0_5_choice) mod 1024;
-      slice3cost_column_0_6_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_2 mod 1024;
-      slice3cost_column_0_6_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_6 +
-        slice3cost_column_0_6_choice) mod 1024;
-      slice3cost_column_0_7_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_2 / 1024)
-        mod 1024;
-      slice3cost_column_0_7_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_7 +
-        slice3cost_column_0_7_choice) mod 1024;
-      slice3cost_column_0_8_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_2 /
-        1048576;
-      slice3cost_column_0_8_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_8 +
-        slice3cost_column_0_8_choice) mod 1024;
-      slice3cost_column_0_9_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_3 mod 1024;
-      slice3cost_column_0_9_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_9 +
-        slice3cost_column_0_9_choice) mod 1024;
-      slice3cost_column_0_10_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_3 /
-        1024) mod 1024;
-      slice3cost_column_0_10_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_10 +
-        slice3cost_column_0_10_choice) mod 1024;
-      slice3cost_column_0_11_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_3 /
-        1048576;
-      slice3cost_column_0_11_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_11 +
-        slice3cost_column_0_11_choice) mod 1024;
-      slice3cost_column_0_12_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_4 mod
-        1024;
-      slice3cost_column_0_12_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_12 +
-        slice3cost_column_0_12_choice) mod 1024;
-      slice3cost_column_0_13_choice := 0 when slice0window_change_tag_first_group else (slice3cost_ready_words_4 /
-        1024) mod 1024;
-      slice3cost_column_0_13_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_13 +
-        slice3cost_column_0_13_choice) mod 1024;
-      slice3cost_column_0_14_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_4 /
-        1048576;
-      slice3cost_column_0_14_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_14 +
-        slice3cost_column_0_14_choice) mod 1024;
-      slice3cost_column_0_15_choice := 0 when slice0window_change_tag_first_group else slice3cost_ready_words_5;
-      slice3cost_column_0_15_choice_2 := 0 when slice0window_change_tag_border_column else (slice3cost_change_0_15 +
-        slice3cost_column_0_15_choice) mod 1024;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_0_choice := 0;
+      else
+        slice3cost_column_0_0_choice := slice3cost_ready_words_0 mod 1024;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_0_choice_2 := 0;
+      else
+        slice3cost_column_0_0_choice_2 := (slice3cost_change_0_0 + slice3cost_column_0_0_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_1_choice := 0;
+      else
+        slice3cost_column_0_1_choice := (slice3cost_ready_words_0 / 1024) mod 1024;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_1_choice_2 := 0;
+      else
+        slice3cost_column_0_1_choice_2 := (slice3cost_change_0_1 + slice3cost_column_0_1_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_2_choice := 0;
+      else
+        slice3cost_column_0_2_choice := slice3cost_ready_words_0 / 1048576;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_2_choice_2 := 0;
+      else
+        slice3cost_column_0_2_choice_2 := (slice3cost_change_0_2 + slice3cost_column_0_2_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_3_choice := 0;
+      else
+        slice3cost_column_0_3_choice := slice3cost_ready_words_1 mod 1024;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_3_choice_2 := 0;
+      else
+        slice3cost_column_0_3_choice_2 := (slice3cost_change_0_3 + slice3cost_column_0_3_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_4_choice := 0;
+      else
+        slice3cost_column_0_4_choice := (slice3cost_ready_words_1 / 1024) mod 1024;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_4_choice_2 := 0;
+      else
+        slice3cost_column_0_4_choice_2 := (slice3cost_change_0_4 + slice3cost_column_0_4_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_5_choice := 0;
+      else
+        slice3cost_column_0_5_choice := slice3cost_ready_words_1 / 1048576;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_5_choice_2 := 0;
+      else
+        slice3cost_column_0_5_choice_2 := (slice3cost_change_0_5 + slice3cost_column_0_5_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_6_choice := 0;
+      else
+        slice3cost_column_0_6_choice := slice3cost_ready_words_2 mod 1024;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_6_choice_2 := 0;
+      else
+        slice3cost_column_0_6_choice_2 := (slice3cost_change_0_6 + slice3cost_column_0_6_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_7_choice := 0;
+      else
+        slice3cost_column_0_7_choice := (slice3cost_ready_words_2 / 1024) mod 1024;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_7_choice_2 := 0;
+      else
+        slice3cost_column_0_7_choice_2 := (slice3cost_change_0_7 + slice3cost_column_0_7_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_8_choice := 0;
+      else
+        slice3cost_column_0_8_choice := slice3cost_ready_words_2 / 1048576;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_8_choice_2 := 0;
+      else
+        slice3cost_column_0_8_choice_2 := (slice3cost_change_0_8 + slice3cost_column_0_8_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_9_choice := 0;
+      else
+        slice3cost_column_0_9_choice := slice3cost_ready_words_3 mod 1024;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_9_choice_2 := 0;
+      else
+        slice3cost_column_0_9_choice_2 := (slice3cost_change_0_9 + slice3cost_column_0_9_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_10_choice := 0;
+      else
+        slice3cost_column_0_10_choice := (slice3cost_ready_words_3 / 1024) mod 1024;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_10_choice_2 := 0;
+      else
+        slice3cost_column_0_10_choice_2 := (slice3cost_change_0_10 + slice3cost_column_0_10_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_11_choice := 0;
+      else
+        slice3cost_column_0_11_choice := slice3cost_ready_words_3 / 1048576;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_11_choice_2 := 0;
+      else
+        slice3cost_column_0_11_choice_2 := (slice3cost_change_0_11 + slice3cost_column_0_11_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_12_choice := 0;
+      else
+        slice3cost_column_0_12_choice := slice3cost_ready_words_4 mod 1024;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_12_choice_2 := 0;
+      else
+        slice3cost_column_0_12_choice_2 := (slice3cost_change_0_12 + slice3cost_column_0_12_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_13_choice := 0;
+      else
+        slice3cost_column_0_13_choice := (slice3cost_ready_words_4 / 1024) mod 1024;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_13_choice_2 := 0;
+      else
+        slice3cost_column_0_13_choice_2 := (slice3cost_change_0_13 + slice3cost_column_0_13_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_14_choice := 0;
+      else
+        slice3cost_column_0_14_choice := slice3cost_ready_words_4 / 1048576;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_14_choice_2 := 0;
+      else
+        slice3cost_column_0_14_choice_2 := (slice3cost_change_0_14 + slice3cost_column_0_14_choice) mod 1024;
+      end if;
+      if slice0window_change_tag_first_group then
+        slice3cost_column_0_15_choice := 0;
+      else
+        slice3cost_column_0_15_choice := slice3cost_ready_words_5;
+      end if;
+      if slice0window_change_tag_border_column then
+        slice3cost_column_0_15_choice_2 := 0;
+      else
+        slice3cost_column_0_15_choice_2 := (slice3cost_change_0_15 + slice3cost_column_0_15_choice) mod 1024;
+      end if;
       slice3cost_pixels_first_0_0 <= slice3shift_search_0_0 - slice3shift_reference_0;
       slice3cost_pixels_first_0_1 <= slice3shift_search_0_1 - slice3shift_reference_0;
       slice3cost_pixels_first_0_2 <= slice3shift_search_0_2 - slice3shift_reference_0;
@@ -4633,9 +6648,12 @@ begin
       end if;
       -- slice3window
       if slice0window_tag_valid then
-        slice3window_ring_read_address <= 0 when slice3window_ring_read_address = 15 else
-          (slice3window_ring_read_address + 1) mod 16;
         slice3window_ring_write_address <= slice3window_ring_read_address;
+        if slice3window_ring_read_address = 15 then
+          slice3window_ring_read_address <= 0;
+        else
+          slice3window_ring_read_address <= (slice3window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice2window_change_tag_leaves_window then
         slice3window_change_0_0_choice := to_integer(slice3window_leaving_0(9 downto 0));
@@ -4750,22 +6768,86 @@ begin
       slice3window_change_0_14 <= slice3window_entering_0_14 - slice3window_change_0_14_choice;
       slice3window_change_0_15 <= slice3window_entering_0_15 - slice3window_change_0_15_choice;
       slice3window_change_tag_first_cost <= slice2window_change_tag_first_cost;
-      slice3window_sum_0_0_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_0;
-      slice3window_sum_0_1_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_1;
-      slice3window_sum_0_2_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_2;
-      slice3window_sum_0_3_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_3;
-      slice3window_sum_0_4_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_4;
-      slice3window_sum_0_5_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_5;
-      slice3window_sum_0_6_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_6;
-      slice3window_sum_0_7_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_7;
-      slice3window_sum_0_8_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_8;
-      slice3window_sum_0_9_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_9;
-      slice3window_sum_0_10_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_10;
-      slice3window_sum_0_11_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_11;
-      slice3window_sum_0_12_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_12;
-      slice3window_sum_0_13_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_13;
-      slice3window_sum_0_14_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_14;
-      slice3window_sum_0_15_choice := 0 when slice3window_change_tag_first_cost else slice3window_sum_0_15;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_0_choice := 0;
+      else
+        slice3window_sum_0_0_choice := slice3window_sum_0_0;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_1_choice := 0;
+      else
+        slice3window_sum_0_1_choice := slice3window_sum_0_1;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_2_choice := 0;
+      else
+        slice3window_sum_0_2_choice := slice3window_sum_0_2;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_3_choice := 0;
+      else
+        slice3window_sum_0_3_choice := slice3window_sum_0_3;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_4_choice := 0;
+      else
+        slice3window_sum_0_4_choice := slice3window_sum_0_4;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_5_choice := 0;
+      else
+        slice3window_sum_0_5_choice := slice3window_sum_0_5;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_6_choice := 0;
+      else
+        slice3window_sum_0_6_choice := slice3window_sum_0_6;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_7_choice := 0;
+      else
+        slice3window_sum_0_7_choice := slice3window_sum_0_7;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_8_choice := 0;
+      else
+        slice3window_sum_0_8_choice := slice3window_sum_0_8;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_9_choice := 0;
+      else
+        slice3window_sum_0_9_choice := slice3window_sum_0_9;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_10_choice := 0;
+      else
+        slice3window_sum_0_10_choice := slice3window_sum_0_10;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_11_choice := 0;
+      else
+        slice3window_sum_0_11_choice := slice3window_sum_0_11;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_12_choice := 0;
+      else
+        slice3window_sum_0_12_choice := slice3window_sum_0_12;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_13_choice := 0;
+      else
+        slice3window_sum_0_13_choice := slice3window_sum_0_13;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_14_choice := 0;
+      else
+        slice3window_sum_0_14_choice := slice3window_sum_0_14;
+      end if;
+      if slice3window_change_tag_first_cost then
+        slice3window_sum_0_15_choice := 0;
+      else
+        slice3window_sum_0_15_choice := slice3window_sum_0_15;
+      end if;
       if slice0winner2_tag_valid then
         slice3window_sum_0_0 <= (slice3window_sum_0_0_choice + slice3window_change_0_0) mod 16384;
         slice3window_sum_0_1 <= (slice3window_sum_0_1_choice + slice3window_change_0_1) mod 16384;
@@ -4823,46 +6905,7 @@ begin
       slice3winner1_held_0_13 <= slice3window_sum_0_13;
       slice3winner1_held_0_14 <= slice3window_sum_0_14;
       slice3winner1_held_0_15 <= slice3window_sum_0_15;
-      slice3winner1_best_cost_0_0 <= slice3window_sum_0_1 when (slice3window_sum_0_1 - slice3window_sum_0_0) < 0 else
-        slice3window_sum_0_0;
-      slice3winner1_best_cost_0_1 <= slice3window_sum_0_3 when (slice3window_sum_0_3 - slice3window_sum_0_2) < 0 else
-        slice3window_sum_0_2;
-      slice3winner1_best_cost_0_2 <= slice3window_sum_0_5 when (slice3window_sum_0_5 - slice3window_sum_0_4) < 0 else
-        slice3window_sum_0_4;
-      slice3winner1_best_cost_0_3 <= slice3window_sum_0_7 when (slice3window_sum_0_7 - slice3window_sum_0_6) < 0 else
-        slice3window_sum_0_6;
-      slice3winner1_best_cost_0_4 <= slice3window_sum_0_9 when (slice3window_sum_0_9 - slice3window_sum_0_8) < 0 else
-        slice3window_sum_0_8;
-      slice3winner1_best_cost_0_5 <= slice3window_sum_0_11 when (slice3window_sum_0_11 - slice3window_sum_0_10) < 0
-        else slice3window_sum_0_10;
-      slice3winner1_best_cost_0_6 <= slice3window_sum_0_13 when (slice3window_sum_0_13 - slice3window_sum_0_12) < 0
-        else slice3window_sum_0_12;
-      slice3winner1_best_cost_0_7 <= slice3window_sum_0_15 when (slice3window_sum_0_15 - slice3window_sum_0_14) < 0
-        else slice3window_sum_0_14;
       slice3winner1_best_index_0_0 <= slice3winner1_best_index_0_0_is_not_less;
-      slice3winner1_best_index_0_1 <= 2 when slice3winner1_best_index_0_1_is_less else 3;
-      slice3winner1_best_index_0_2 <= 4 when slice3winner1_best_index_0_2_is_less else 5;
-      slice3winner1_best_index_0_3 <= 6 when slice3winner1_best_index_0_3_is_less else 7;
-      slice3winner1_best_index_0_4 <= 8 when slice3winner1_best_index_0_4_is_less else 9;
-      slice3winner1_best_index_0_5 <= 10 when slice3winner1_best_index_0_5_is_less else 11;
-      slice3winner1_best_index_0_6 <= 12 when slice3winner1_best_index_0_6_is_less else 13;
-      slice3winner1_best_index_0_7 <= 14 when slice3winner1_best_index_0_7_is_less else 15;
-      slice3winner1_best_below_0_0 <= slice3window_sum_0_0 when slice3winner1_best_index_0_0_is_not_less else 0;
-      slice3winner1_best_below_0_1 <= 0 when slice3winner1_best_index_0_1_is_less else slice3window_sum_0_2;
-      slice3winner1_best_below_0_2 <= 0 when slice3winner1_best_index_0_2_is_less else slice3window_sum_0_4;
-      slice3winner1_best_below_0_3 <= 0 when slice3winner1_best_index_0_3_is_less else slice3window_sum_0_6;
-      slice3winner1_best_below_0_4 <= 0 when slice3winner1_best_index_0_4_is_less else slice3window_sum_0_8;
-      slice3winner1_best_below_0_5 <= 0 when slice3winner1_best_index_0_5_is_less else slice3window_sum_0_10;
-      slice3winner1_best_below_0_6 <= 0 when slice3winner1_best_index_0_6_is_less else slice3window_sum_0_12;
-      slice3winner1_best_below_0_7 <= 0 when slice3winner1_best_index_0_7_is_less else slice3window_sum_0_14;
-      slice3winner1_best_above_0_0 <= 0 when slice3winner1_best_index_0_0_is_not_less else slice3window_sum_0_1;
-      slice3winner1_best_above_0_1 <= slice3window_sum_0_3 when slice3winner1_best_index_0_1_is_less else 0;
-      slice3winner1_best_above_0_2 <= slice3window_sum_0_5 when slice3winner1_best_index_0_2_is_less else 0;
-      slice3winner1_best_above_0_3 <= slice3window_sum_0_7 when slice3winner1_best_index_0_3_is_less else 0;
-      slice3winner1_best_above_0_4 <= slice3window_sum_0_9 when slice3winner1_best_index_0_4_is_less else 0;
-      slice3winner1_best_above_0_5 <= slice3window_sum_0_11 when slice3winner1_best_index_0_5_is_less else 0;
-      slice3winner1_best_above_0_6 <= slice3window_sum_0_13 when slice3winner1_best_index_0_6_is_less else 0;
-      slice3winner1_best_above_0_7 <= slice3window_sum_0_15 when slice3winner1_best_index_0_7_is_less else 0;
       slice3winner1_best_late_cost_0_0 <= slice3winner1_best_cost_0_0;
       slice3winner1_best_late_cost_0_1 <= slice3winner1_best_cost_0_1;
       slice3winner1_best_late_cost_0_2 <= slice3winner1_best_cost_0_2;
@@ -4886,89 +6929,243 @@ begin
       slice3winner1_best_but_last_0_4 <= slice3winner1_held_0_8;
       slice3winner1_best_but_last_0_5 <= slice3winner1_held_0_10;
       slice3winner1_best_but_last_0_6 <= slice3winner1_held_0_12;
+      if (slice3window_sum_0_1 - slice3window_sum_0_0) < 0 then
+        slice3winner1_best_cost_0_0 <= slice3window_sum_0_1;
+      else
+        slice3winner1_best_cost_0_0 <= slice3window_sum_0_0;
+      end if;
+      if (slice3window_sum_0_3 - slice3window_sum_0_2) < 0 then
+        slice3winner1_best_cost_0_1 <= slice3window_sum_0_3;
+      else
+        slice3winner1_best_cost_0_1 <= slice3window_sum_0_2;
+      end if;
+      if (slice3window_sum_0_5 - slice3window_sum_0_4) < 0 then
+        slice3winner1_best_cost_0_2 <= slice3window_sum_0_5;
+      else
+        slice3winner1_best_cost_0_2 <= slice3window_sum_0_4;
+      end if;
+      if (slice3window_sum_0_7 - slice3window_sum_0_6) < 0 then
+        slice3winner1_best_cost_0_3 <= slice3window_sum_0_7;
+      else
+        slice3winner1_best_cost_0_3 <= slice3window_sum_0_6;
+      end if;
+      if (slice3window_sum_0_9 - slice3window_sum_0_8) < 0 then
+        slice3winner1_best_cost_0_4 <= slice3window_sum_0_9;
+      else
+        slice3winner1_best_cost_0_4 <= slice3window_sum_0_8;
+      end if;
+      if (slice3window_sum_0_11 - slice3window_sum_0_10) < 0 then
+        slice3winner1_best_cost_0_5 <= slice3window_sum_0_11;
+      else
+        slice3winner1_best_cost_0_5 <= slice3window_sum_0_10;
+      end if;
+      if (slice3window_sum_0_13 - slice3window_sum_0_12) < 0 then
+        slice3winner1_best_cost_0_6 <= slice3window_sum_0_13;
+      else
+        slice3winner1_best_cost_0_6 <= slice3window_sum_0_12;
+      end if;
+      if (slice3window_sum_0_15 - slice3window_sum_0_14) < 0 then
+        slice3winner1_best_cost_0_7 <= slice3window_sum_0_15;
+      else
+        slice3winner1_best_cost_0_7 <= slice3window_sum_0_14;
+      end if;
+      if slice3winner1_best_index_0_1_is_less then
+        slice3winner1_best_index_0_1 <= 2;
+        slice3winner1_best_below_0_1 <= 0;
+        slice3winner1_best_above_0_1 <= slice3window_sum_0_3;
+      else
+        slice3winner1_best_index_0_1 <= 3;
+        slice3winner1_best_below_0_1 <= slice3window_sum_0_2;
+        slice3winner1_best_above_0_1 <= 0;
+      end if;
+      if slice3winner1_best_index_0_2_is_less then
+        slice3winner1_best_index_0_2 <= 4;
+        slice3winner1_best_below_0_2 <= 0;
+        slice3winner1_best_above_0_2 <= slice3window_sum_0_5;
+      else
+        slice3winner1_best_index_0_2 <= 5;
+        slice3winner1_best_below_0_2 <= slice3window_sum_0_4;
+        slice3winner1_best_above_0_2 <= 0;
+      end if;
+      if slice3winner1_best_index_0_3_is_less then
+        slice3winner1_best_index_0_3 <= 6;
+        slice3winner1_best_below_0_3 <= 0;
+        slice3winner1_best_above_0_3 <= slice3window_sum_0_7;
+      else
+        slice3winner1_best_index_0_3 <= 7;
+        slice3winner1_best_below_0_3 <= slice3window_sum_0_6;
+        slice3winner1_best_above_0_3 <= 0;
+      end if;
+      if slice3winner1_best_index_0_4_is_less then
+        slice3winner1_best_index_0_4 <= 8;
+        slice3winner1_best_below_0_4 <= 0;
+        slice3winner1_best_above_0_4 <= slice3window_sum_0_9;
+      else
+        slice3winner1_best_index_0_4 <= 9;
+        slice3winner1_best_below_0_4 <= slice3window_sum_0_8;
+        slice3winner1_best_above_0_4 <= 0;
+      end if;
+      if slice3winner1_best_index_0_5_is_less then
+        slice3winner1_best_index_0_5 <= 10;
+        slice3winner1_best_below_0_5 <= 0;
+        slice3winner1_best_above_0_5 <= slice3window_sum_0_11;
+      else
+        slice3winner1_best_index_0_5 <= 11;
+        slice3winner1_best_below_0_5 <= slice3window_sum_0_10;
+        slice3winner1_best_above_0_5 <= 0;
+      end if;
+      if slice3winner1_best_index_0_6_is_less then
+        slice3winner1_best_index_0_6 <= 12;
+        slice3winner1_best_below_0_6 <= 0;
+        slice3winner1_best_above_0_6 <= slice3window_sum_0_13;
+      else
+        slice3winner1_best_index_0_6 <= 13;
+        slice3winner1_best_below_0_6 <= slice3window_sum_0_12;
+        slice3winner1_best_above_0_6 <= 0;
+      end if;
+      if slice3winner1_best_index_0_7_is_less then
+        slice3winner1_best_index_0_7 <= 14;
+        slice3winner1_best_below_0_7 <= 0;
+        slice3winner1_best_above_0_7 <= slice3window_sum_0_15;
+      else
+        slice3winner1_best_index_0_7 <= 15;
+        slice3winner1_best_below_0_7 <= slice3window_sum_0_14;
+        slice3winner1_best_above_0_7 <= 0;
+      end if;
+      if slice3winner1_best_index_0_0_is_not_less then
+        slice3winner1_best_below_0_0 <= slice3window_sum_0_0;
+        slice3winner1_best_above_0_0 <= 0;
+      else
+        slice3winner1_best_below_0_0 <= 0;
+        slice3winner1_best_above_0_0 <= slice3window_sum_0_1;
+      end if;
       -- slice3winner2
       slice3winner2_best_index_0_0_is_not_less := (slice3winner1_best_cost_0_0 - slice3winner1_best_cost_0_1) >= 0;
       slice3winner2_best_index_0_1_is_not_less := (slice3winner1_best_cost_0_2 - slice3winner1_best_cost_0_3) >= 0;
       slice3winner2_best_index_0_2_is_not_less := (slice3winner1_best_cost_0_4 - slice3winner1_best_cost_0_5) >= 0;
       slice3winner2_best_index_0_3_is_not_less := (slice3winner1_best_cost_0_6 - slice3winner1_best_cost_0_7) >= 0;
-      slice3winner2_best_below_0_0_choice := slice3winner1_held_0_1 when other_0 else slice3winner1_best_below_0_1;
-      slice3winner2_best_below_0_1_choice := slice3winner1_held_0_5 when other_1 else slice3winner1_best_below_0_3;
-      slice3winner2_best_below_0_2_choice := slice3winner1_held_0_9 when other_2 else slice3winner1_best_below_0_5;
-      slice3winner2_best_below_0_3_choice := slice3winner1_held_0_13 when other_3 else slice3winner1_best_below_0_7;
-      slice3winner2_best_above_0_0_choice := slice3winner1_held_0_2 when slice3winner1_best_index_0_0 else
-        slice3winner1_best_above_0_0;
-      slice3winner2_best_above_0_1_choice := slice3winner1_held_0_6 when ((slice3winner1_best_index_0_2 / 4) = 1) and
-        ((slice3winner1_best_index_0_2 mod 2) = 1) else slice3winner1_best_above_0_2;
-      slice3winner2_best_above_0_2_choice := slice3winner1_held_0_10 when ((slice3winner1_best_index_0_4 / 8) = 1) and
-        ((slice3winner1_best_index_0_4 mod 2) = 1) else slice3winner1_best_above_0_4;
+      if other_0 then
+        slice3winner2_best_below_0_0_choice := slice3winner1_held_0_1;
+      else
+        slice3winner2_best_below_0_0_choice := slice3winner1_best_below_0_1;
+      end if;
+      if other_1 then
+        slice3winner2_best_below_0_1_choice := slice3winner1_held_0_5;
+      else
+        slice3winner2_best_below_0_1_choice := slice3winner1_best_below_0_3;
+      end if;
+      if other_2 then
+        slice3winner2_best_below_0_2_choice := slice3winner1_held_0_9;
+      else
+        slice3winner2_best_below_0_2_choice := slice3winner1_best_below_0_5;
+      end if;
+      if other_3 then
+        slice3winner2_best_below_0_3_choice := slice3winner1_held_0_13;
+      else
+        slice3winner2_best_below_0_3_choice := slice3winner1_best_below_0_7;
+      end if;
+      if slice3winner1_best_index_0_0 then
+        slice3winner2_best_above_0_0_choice := slice3winner1_held_0_2;
+      else
+        slice3winner2_best_above_0_0_choice := slice3winner1_best_above_0_0;
+      end if;
+      if ((slice3winner1_best_index_0_2 / 4) = 1) and ((slice3winner1_best_index_0_2 mod 2) = 1) then
+        slice3winner2_best_above_0_1_choice := slice3winner1_held_0_6;
+      else
+        slice3winner2_best_above_0_1_choice := slice3winner1_best_above_0_2;
+      end if;
+      if ((slice3winner1_best_index_0_4 / 8) = 1) and ((slice3winner1_best_index_0_4 mod 2) = 1) then
+        slice3winner2_best_above_0_2_choice := slice3winner1_held_0_10;
+      else
+        slice3winner2_best_above_0_2_choice := slice3winner1_best_above_0_4;
+      end if;
       slice3winner2_best_above_0_3_value := ((slice3winner1_best_index_0_6 / 4) mod 2) = 1;
-      slice3winner2_best_above_0_3_choice := slice3winner1_held_0_14 when ((slice3winner1_best_index_0_6 / 8) = 1) and
-        slice3winner2_best_above_0_3_value and ((slice3winner1_best_index_0_6 mod 2) = 1) else
-        slice3winner1_best_above_0_6;
-      slice3winner2_best_second_0_0_choice := 16383 when slice3winner2_best_place_0_0 else
-        slice3winner1_best_late_cost_0_1;
-      slice3winner2_best_second_0_0_choice_2 := slice3winner1_best_but_first_0_1 when slice3winner2_best_at_end_0_0
-        else slice3winner2_best_second_0_0_choice;
-      slice3winner2_best_second_0_0_choice_3 := slice3winner1_best_late_cost_0_0 when slice3winner2_best_place_0_0 else
-        16383;
-      slice3winner2_best_second_0_0_choice_4 := slice3winner1_best_but_last_0_0 when slice3winner2_best_at_start_0_0
-        else slice3winner2_best_second_0_0_choice_3;
-      slice3winner2_best_second_0_1_choice := 16383 when slice3winner2_best_place_0_1 else
-        slice3winner1_best_late_cost_0_3;
-      slice3winner2_best_second_0_1_choice_2 := slice3winner1_best_but_first_0_3 when slice3winner2_best_at_end_0_1
-        else slice3winner2_best_second_0_1_choice;
-      slice3winner2_best_second_0_1_choice_3 := slice3winner1_best_late_cost_0_2 when slice3winner2_best_place_0_1 else
-        16383;
-      slice3winner2_best_second_0_1_choice_4 := slice3winner1_best_but_last_0_2 when slice3winner2_best_at_start_0_1
-        else slice3winner2_best_second_0_1_choice_3;
-      slice3winner2_best_second_0_2_choice := 16383 when slice3winner2_best_place_0_2 else
-        slice3winner1_best_late_cost_0_5;
-      slice3winner2_best_second_0_2_choice_2 := slice3winner1_best_but_first_0_5 when slice3winner2_best_at_end_0_2
-        else slice3winner2_best_second_0_2_choice;
-      slice3winner2_best_second_0_2_choice_3 := slice3winner1_best_late_cost_0_4 when slice3winner2_best_place_0_2 else
-        16383;
-      slice3winner2_best_second_0_2_choice_4 := slice3winner1_best_but_last_0_4 when slice3winner2_best_at_start_0_2
-        else slice3winner2_best_second_0_2_choice_3;
-      slice3winner2_best_second_0_3_choice := 16383 when slice3winner2_best_place_0_3 else
-        slice3winner1_best_late_cost_0_7;
-      slice3winner2_best_second_0_3_choice_2 := slice3winner1_best_but_first_0_7 when slice3winner2_best_at_end_0_3
-        else slice3winner2_best_second_0_3_choice;
-      slice3winner2_best_second_0_3_choice_3 := slice3winner1_best_late_cost_0_6 when slice3winner2_best_place_0_3 else
-        16383;
-      slice3winner2_best_second_0_3_choice_4 := slice3winner1_best_but_last_0_6 when slice3winner2_best_at_start_0_3
-        else slice3winner2_best_second_0_3_choice_3;
-      slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1 when (slice3winner1_best_cost_0_1 -
-        slice3winner1_best_cost_0_0) < 0 else slice3winner1_best_cost_0_0;
-      slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3 when (slice3winner1_best_cost_0_3 -
-        slice3winner1_best_cost_0_2) < 0 else slice3winner1_best_cost_0_2;
-      slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5 when (slice3winner1_best_cost_0_5 -
-        slice3winner1_best_cost_0_4) < 0 else slice3winner1_best_cost_0_4;
-      slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7 when (slice3winner1_best_cost_0_7 -
-        slice3winner1_best_cost_0_6) < 0 else slice3winner1_best_cost_0_6;
-      slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1 when slice3winner2_best_index_0_0_is_not_less else
-        as_number(slice3winner1_best_index_0_0);
-      slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3 when slice3winner2_best_index_0_1_is_not_less else
-        slice3winner1_best_index_0_2;
-      slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5 when slice3winner2_best_index_0_2_is_not_less else
-        slice3winner1_best_index_0_4;
-      slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7 when slice3winner2_best_index_0_3_is_not_less else
-        slice3winner1_best_index_0_6;
-      slice3winner2_best_below_0_0 <= slice3winner2_best_below_0_0_choice when slice3winner2_best_index_0_0_is_not_less
-        else slice3winner1_best_below_0_0;
-      slice3winner2_best_below_0_1 <= slice3winner2_best_below_0_1_choice when slice3winner2_best_index_0_1_is_not_less
-        else slice3winner1_best_below_0_2;
-      slice3winner2_best_below_0_2 <= slice3winner2_best_below_0_2_choice when slice3winner2_best_index_0_2_is_not_less
-        else slice3winner1_best_below_0_4;
-      slice3winner2_best_below_0_3 <= slice3winner2_best_below_0_3_choice when slice3winner2_best_index_0_3_is_not_less
-        else slice3winner1_best_below_0_6;
-      slice3winner2_best_above_0_0 <= slice3winner1_best_above_0_1 when slice3winner2_best_index_0_0_is_not_less else
-        slice3winner2_best_above_0_0_choice;
-      slice3winner2_best_above_0_1 <= slice3winner1_best_above_0_3 when slice3winner2_best_index_0_1_is_not_less else
-        slice3winner2_best_above_0_1_choice;
-      slice3winner2_best_above_0_2 <= slice3winner1_best_above_0_5 when slice3winner2_best_index_0_2_is_not_less else
-        slice3winner2_best_above_0_2_choice;
-      slice3winner2_best_above_0_3 <= slice3winner1_best_above_0_7 when slice3winner2_best_index_0_3_is_not_less else
-        slice3winner2_best_above_0_3_choice;
+      if ((slice3winner1_best_index_0_6 / 8) = 1) and slice3winner2_best_above_0_3_value and
+        ((slice3winner1_best_index_0_6 mod 2) = 1) then
+        slice3winner2_best_above_0_3_choice := slice3winner1_held_0_14;
+      else
+        slice3winner2_best_above_0_3_choice := slice3winner1_best_above_0_6;
+      end if;
+      if slice3winner2_best_place_0_0 then
+        slice3winner2_best_second_0_0_choice := 16383;
+      else
+        slice3winner2_best_second_0_0_choice := slice3winner1_best_late_cost_0_1;
+      end if;
+      if slice3winner2_best_at_end_0_0 then
+        slice3winner2_best_second_0_0_choice_2 := slice3winner1_best_but_first_0_1;
+      else
+        slice3winner2_best_second_0_0_choice_2 := slice3winner2_best_second_0_0_choice;
+      end if;
+      if slice3winner2_best_place_0_0 then
+        slice3winner2_best_second_0_0_choice_3 := slice3winner1_best_late_cost_0_0;
+      else
+        slice3winner2_best_second_0_0_choice_3 := 16383;
+      end if;
+      if slice3winner2_best_at_start_0_0 then
+        slice3winner2_best_second_0_0_choice_4 := slice3winner1_best_but_last_0_0;
+      else
+        slice3winner2_best_second_0_0_choice_4 := slice3winner2_best_second_0_0_choice_3;
+      end if;
+      if slice3winner2_best_place_0_1 then
+        slice3winner2_best_second_0_1_choice := 16383;
+      else
+        slice3winner2_best_second_0_1_choice := slice3winner1_best_late_cost_0_3;
+      end if;
+      if slice3winner2_best_at_end_0_1 then
+        slice3winner2_best_second_0_1_choice_2 := slice3winner1_best_but_first_0_3;
+      else
+        slice3winner2_best_second_0_1_choice_2 := slice3winner2_best_second_0_1_choice;
+      end if;
+      if slice3winner2_best_place_0_1 then
+        slice3winner2_best_second_0_1_choice_3 := slice3winner1_best_late_cost_0_2;
+      else
+        slice3winner2_best_second_0_1_choice_3 := 16383;
+      end if;
+      if slice3winner2_best_at_start_0_1 then
+        slice3winner2_best_second_0_1_choice_4 := slice3winner1_best_but_last_0_2;
+      else
+        slice3winner2_best_second_0_1_choice_4 := slice3winner2_best_second_0_1_choice_3;
+      end if;
+      if slice3winner2_best_place_0_2 then
+        slice3winner2_best_second_0_2_choice := 16383;
+      else
+        slice3winner2_best_second_0_2_choice := slice3winner1_best_late_cost_0_5;
+      end if;
+      if slice3winner2_best_at_end_0_2 then
+        slice3winner2_best_second_0_2_choice_2 := slice3winner1_best_but_first_0_5;
+      else
+        slice3winner2_best_second_0_2_choice_2 := slice3winner2_best_second_0_2_choice;
+      end if;
+      if slice3winner2_best_place_0_2 then
+        slice3winner2_best_second_0_2_choice_3 := slice3winner1_best_late_cost_0_4;
+      else
+        slice3winner2_best_second_0_2_choice_3 := 16383;
+      end if;
+      if slice3winner2_best_at_start_0_2 then
+        slice3winner2_best_second_0_2_choice_4 := slice3winner1_best_but_last_0_4;
+      else
+        slice3winner2_best_second_0_2_choice_4 := slice3winner2_best_second_0_2_choice_3;
+      end if;
+      if slice3winner2_best_place_0_3 then
+        slice3winner2_best_second_0_3_choice := 16383;
+      else
+        slice3winner2_best_second_0_3_choice := slice3winner1_best_late_cost_0_7;
+      end if;
+      if slice3winner2_best_at_end_0_3 then
+        slice3winner2_best_second_0_3_choice_2 := slice3winner1_best_but_first_0_7;
+      else
+        slice3winner2_best_second_0_3_choice_2 := slice3winner2_best_second_0_3_choice;
+      end if;
+      if slice3winner2_best_place_0_3 then
+        slice3winner2_best_second_0_3_choice_3 := slice3winner1_best_late_cost_0_6;
+      else
+        slice3winner2_best_second_0_3_choice_3 := 16383;
+      end if;
+      if slice3winner2_best_at_start_0_3 then
+        slice3winner2_best_second_0_3_choice_4 := slice3winner1_best_but_last_0_6;
+      else
+        slice3winner2_best_second_0_3_choice_4 := slice3winner2_best_second_0_3_choice_3;
+      end if;
       slice3winner2_best_first_0_0 <= slice3winner1_held_0_0;
       slice3winner2_best_first_0_1 <= slice3winner1_held_0_4;
       slice3winner2_best_first_0_2 <= slice3winner1_held_0_8;
@@ -4997,79 +7194,184 @@ begin
       slice3winner2_best_late_cost_0_1 <= slice3winner2_best_cost_0_1;
       slice3winner2_best_late_cost_0_2 <= slice3winner2_best_cost_0_2;
       slice3winner2_best_late_cost_0_3 <= slice3winner2_best_cost_0_3;
-      slice3winner2_best_second_0_0 <= slice3winner2_best_second_0_0_choice_2 when
-        (slice3winner2_best_second_0_0_choice_2 - slice3winner2_best_second_0_0_choice_4) < 0 else
-        slice3winner2_best_second_0_0_choice_4;
-      slice3winner2_best_second_0_1 <= slice3winner2_best_second_0_1_choice_2 when
-        (slice3winner2_best_second_0_1_choice_2 - slice3winner2_best_second_0_1_choice_4) < 0 else
-        slice3winner2_best_second_0_1_choice_4;
-      slice3winner2_best_second_0_2 <= slice3winner2_best_second_0_2_choice_2 when
-        (slice3winner2_best_second_0_2_choice_2 - slice3winner2_best_second_0_2_choice_4) < 0 else
-        slice3winner2_best_second_0_2_choice_4;
-      slice3winner2_best_second_0_3 <= slice3winner2_best_second_0_3_choice_2 when
-        (slice3winner2_best_second_0_3_choice_2 - slice3winner2_best_second_0_3_choice_4) < 0 else
-        slice3winner2_best_second_0_3_choice_4;
-      slice3winner2_best_but_first_0_0 <= slice3winner1_best_late_cost_0_1 when (slice3winner1_best_late_cost_0_1 -
-        slice3winner1_best_but_first_0_0) < 0 else slice3winner1_best_but_first_0_0;
-      slice3winner2_best_but_first_0_1 <= slice3winner1_best_late_cost_0_3 when (slice3winner1_best_late_cost_0_3 -
-        slice3winner1_best_but_first_0_2) < 0 else slice3winner1_best_but_first_0_2;
-      slice3winner2_best_but_first_0_2 <= slice3winner1_best_late_cost_0_5 when (slice3winner1_best_late_cost_0_5 -
-        slice3winner1_best_but_first_0_4) < 0 else slice3winner1_best_but_first_0_4;
-      slice3winner2_best_but_first_0_3 <= slice3winner1_best_late_cost_0_7 when (slice3winner1_best_late_cost_0_7 -
-        slice3winner1_best_but_first_0_6) < 0 else slice3winner1_best_but_first_0_6;
-      slice3winner2_best_but_last_0_0 <= slice3winner1_best_but_last_0_1 when (slice3winner1_best_but_last_0_1 -
-        slice3winner1_best_late_cost_0_0) < 0 else slice3winner1_best_late_cost_0_0;
-      slice3winner2_best_but_last_0_1 <= slice3winner1_best_but_last_0_3 when (slice3winner1_best_but_last_0_3 -
-        slice3winner1_best_late_cost_0_2) < 0 else slice3winner1_best_late_cost_0_2;
-      slice3winner2_best_but_last_0_2 <= slice3winner1_best_but_last_0_5 when (slice3winner1_best_but_last_0_5 -
-        slice3winner1_best_late_cost_0_4) < 0 else slice3winner1_best_late_cost_0_4;
+      if (slice3winner1_best_cost_0_1 - slice3winner1_best_cost_0_0) < 0 then
+        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_1;
+      else
+        slice3winner2_best_cost_0_0 <= slice3winner1_best_cost_0_0;
+      end if;
+      if (slice3winner1_best_cost_0_3 - slice3winner1_best_cost_0_2) < 0 then
+        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_3;
+      else
+        slice3winner2_best_cost_0_1 <= slice3winner1_best_cost_0_2;
+      end if;
+      if (slice3winner1_best_cost_0_5 - slice3winner1_best_cost_0_4) < 0 then
+        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_5;
+      else
+        slice3winner2_best_cost_0_2 <= slice3winner1_best_cost_0_4;
+      end if;
+      if (slice3winner1_best_cost_0_7 - slice3winner1_best_cost_0_6) < 0 then
+        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_7;
+      else
+        slice3winner2_best_cost_0_3 <= slice3winner1_best_cost_0_6;
+      end if;
+      if slice3winner2_best_index_0_0_is_not_less then
+        slice3winner2_best_index_0_0 <= slice3winner1_best_index_0_1;
+        slice3winner2_best_below_0_0 <= slice3winner2_best_below_0_0_choice;
+        slice3winner2_best_above_0_0 <= slice3winner1_best_above_0_1;
+      else
+        slice3winner2_best_index_0_0 <= as_number(slice3winner1_best_index_0_0);
+        slice3winner2_best_below_0_0 <= slice3winner1_best_below_0_0;
+        slice3winner2_best_above_0_0 <= slice3winner2_best_above_0_0_choice;
+      end if;
+      if slice3winner2_best_index_0_1_is_not_less then
+        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_3;
+        slice3winner2_best_below_0_1 <= slice3winner2_best_below_0_1_choice;
+        slice3winner2_best_above_0_1 <= slice3winner1_best_above_0_3;
+      else
+        slice3winner2_best_index_0_1 <= slice3winner1_best_index_0_2;
+        slice3winner2_best_below_0_1 <= slice3winner1_best_below_0_2;
+        slice3winner2_best_above_0_1 <= slice3winner2_best_above_0_1_choice;
+      end if;
+      if slice3winner2_best_index_0_2_is_not_less then
+        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_5;
+        slice3winner2_best_below_0_2 <= slice3winner2_best_below_0_2_choice;
+        slice3winner2_best_above_0_2 <= slice3winner1_best_above_0_5;
+      else
+        slice3winner2_best_index_0_2 <= slice3winner1_best_index_0_4;
+        slice3winner2_best_below_0_2 <= slice3winner1_best_below_0_4;
+        slice3winner2_best_above_0_2 <= slice3winner2_best_above_0_2_choice;
+      end if;
+      if slice3winner2_best_index_0_3_is_not_less then
+        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_7;
+        slice3winner2_best_below_0_3 <= slice3winner2_best_below_0_3_choice;
+        slice3winner2_best_above_0_3 <= slice3winner1_best_above_0_7;
+      else
+        slice3winner2_best_index_0_3 <= slice3winner1_best_index_0_6;
+        slice3winner2_best_below_0_3 <= slice3winner1_best_below_0_6;
+        slice3winner2_best_above_0_3 <= slice3winner2_best_above_0_3_choice;
+      end if;
+      if (slice3winner2_best_second_0_0_choice_2 - slice3winner2_best_second_0_0_choice_4) < 0 then
+        slice3winner2_best_second_0_0 <= slice3winner2_best_second_0_0_choice_2;
+      else
+        slice3winner2_best_second_0_0 <= slice3winner2_best_second_0_0_choice_4;
+      end if;
+      if (slice3winner2_best_second_0_1_choice_2 - slice3winner2_best_second_0_1_choice_4) < 0 then
+        slice3winner2_best_second_0_1 <= slice3winner2_best_second_0_1_choice_2;
+      else
+        slice3winner2_best_second_0_1 <= slice3winner2_best_second_0_1_choice_4;
+      end if;
+      if (slice3winner2_best_second_0_2_choice_2 - slice3winner2_best_second_0_2_choice_4) < 0 then
+        slice3winner2_best_second_0_2 <= slice3winner2_best_second_0_2_choice_2;
+      else
+        slice3winner2_best_second_0_2 <= slice3winner2_best_second_0_2_choice_4;
+      end if;
+      if (slice3winner2_best_second_0_3_choice_2 - slice3winner2_best_second_0_3_choice_4) < 0 then
+        slice3winner2_best_second_0_3 <= slice3winner2_best_second_0_3_choice_2;
+      else
+        slice3winner2_best_second_0_3 <= slice3winner2_best_second_0_3_choice_4;
+      end if;
+      if (slice3winner1_best_late_cost_0_1 - slice3winner1_best_but_first_0_0) < 0 then
+        slice3winner2_best_but_first_0_0 <= slice3winner1_best_late_cost_0_1;
+      else
+        slice3winner2_best_but_first_0_0 <= slice3winner1_best_but_first_0_0;
+      end if;
+      if (slice3winner1_best_late_cost_0_3 - slice3winner1_best_but_first_0_2) < 0 then
+        slice3winner2_best_but_first_0_1 <= slice3winner1_best_late_cost_0_3;
+      else
+        slice3winner2_best_but_first_0_1 <= slice3winner1_best_but_first_0_2;
+      end if;
+      if (slice3winner1_best_late_cost_0_5 - slice3winner1_best_but_first_0_4) < 0 then
+        slice3winner2_best_but_first_0_2 <= slice3winner1_best_late_cost_0_5;
+      else
+        slice3winner2_best_but_first_0_2 <= slice3winner1_best_but_first_0_4;
+      end if;
+      if (slice3winner1_best_late_cost_0_7 - slice3winner1_best_but_first_0_6) < 0 then
+        slice3winner2_best_but_first_0_3 <= slice3winner1_best_late_cost_0_7;
+      else
+        slice3winner2_best_but_first_0_3 <= slice3winner1_best_but_first_0_6;
+      end if;
+      if (slice3winner1_best_but_last_0_1 - slice3winner1_best_late_cost_0_0) < 0 then
+        slice3winner2_best_but_last_0_0 <= slice3winner1_best_but_last_0_1;
+      else
+        slice3winner2_best_but_last_0_0 <= slice3winner1_best_late_cost_0_0;
+      end if;
+      if (slice3winner1_best_but_last_0_3 - slice3winner1_best_late_cost_0_2) < 0 then
+        slice3winner2_best_but_last_0_1 <= slice3winner1_best_but_last_0_3;
+      else
+        slice3winner2_best_but_last_0_1 <= slice3winner1_best_late_cost_0_2;
+      end if;
+      if (slice3winner1_best_but_last_0_5 - slice3winner1_best_late_cost_0_4) < 0 then
+        slice3winner2_best_but_last_0_2 <= slice3winner1_best_but_last_0_5;
+      else
+        slice3winner2_best_but_last_0_2 <= slice3winner1_best_late_cost_0_4;
+      end if;
       -- slice3winner3
       slice3winner3_best_index_0_0_is_not_less := (slice3winner2_best_cost_0_0 - slice3winner2_best_cost_0_1) >= 0;
       slice3winner3_best_index_0_1_is_not_less := (slice3winner2_best_cost_0_2 - slice3winner2_best_cost_0_3) >= 0;
       slice3winner3_best_below_0_0_is_equal := slice3winner2_best_index_0_1 = 4;
-      slice3winner3_best_below_0_0_choice := slice3winner2_best_last_0_0 when slice3winner3_best_below_0_0_is_equal
-        else slice3winner2_best_below_0_1;
+      if slice3winner3_best_below_0_0_is_equal then
+        slice3winner3_best_below_0_0_choice := slice3winner2_best_last_0_0;
+      else
+        slice3winner3_best_below_0_0_choice := slice3winner2_best_below_0_1;
+      end if;
       slice3winner3_best_below_0_1_is_equal := slice3winner2_best_index_0_3 = 12;
-      slice3winner3_best_below_0_1_choice := slice3winner2_best_last_0_2 when slice3winner3_best_below_0_1_is_equal
-        else slice3winner2_best_below_0_3;
+      if slice3winner3_best_below_0_1_is_equal then
+        slice3winner3_best_below_0_1_choice := slice3winner2_best_last_0_2;
+      else
+        slice3winner3_best_below_0_1_choice := slice3winner2_best_below_0_3;
+      end if;
       slice3winner3_best_above_0_0_is_equal := slice3winner2_best_index_0_0 = 3;
-      slice3winner3_best_above_0_0_choice := slice3winner2_best_first_0_1 when slice3winner3_best_above_0_0_is_equal
-        else slice3winner2_best_above_0_0;
+      if slice3winner3_best_above_0_0_is_equal then
+        slice3winner3_best_above_0_0_choice := slice3winner2_best_first_0_1;
+      else
+        slice3winner3_best_above_0_0_choice := slice3winner2_best_above_0_0;
+      end if;
       slice3winner3_best_above_0_1_is_equal := (slice3winner2_best_index_0_2 mod 4) = 3;
-      slice3winner3_best_above_0_1_choice := slice3winner2_best_first_0_3 when ((slice3winner2_best_index_0_2 / 8) = 1)
-        and slice3winner3_best_above_0_1_is_equal else slice3winner2_best_above_0_2;
-      slice3winner3_best_second_0_0_choice := slice3winner2_best_second_0_1 when slice3winner3_best_place_0_0 else
-        slice3winner2_best_late_cost_0_1;
-      slice3winner3_best_second_0_0_choice_2 := slice3winner2_best_but_first_0_1 when slice3winner3_best_at_end_0_0
-        else slice3winner3_best_second_0_0_choice;
-      slice3winner3_best_second_0_0_choice_3 := slice3winner2_best_late_cost_0_0 when slice3winner3_best_place_0_0 else
-        slice3winner2_best_second_0_0;
-      slice3winner3_best_second_0_0_choice_4 := slice3winner2_best_but_last_0_0 when slice3winner3_best_at_start_0_0
-        else slice3winner3_best_second_0_0_choice_3;
-      slice3winner3_best_second_0_1_choice := slice3winner2_best_second_0_3 when slice3winner3_best_place_0_1 else
-        slice3winner2_best_late_cost_0_3;
-      slice3winner3_best_second_0_1_choice_2 := slice3winner2_best_but_first_0_3 when slice3winner3_best_at_end_0_1
-        else slice3winner3_best_second_0_1_choice;
-      slice3winner3_best_second_0_1_choice_3 := slice3winner2_best_late_cost_0_2 when slice3winner3_best_place_0_1 else
-        slice3winner2_best_second_0_2;
-      slice3winner3_best_second_0_1_choice_4 := slice3winner2_best_but_last_0_2 when slice3winner3_best_at_start_0_1
-        else slice3winner3_best_second_0_1_choice_3;
-      slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1 when (slice3winner2_best_cost_0_1 -
-        slice3winner2_best_cost_0_0) < 0 else slice3winner2_best_cost_0_0;
-      slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3 when (slice3winner2_best_cost_0_3 -
-        slice3winner2_best_cost_0_2) < 0 else slice3winner2_best_cost_0_2;
-      slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1 when slice3winner3_best_index_0_0_is_not_less else
-        slice3winner2_best_index_0_0;
-      slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3 when slice3winner3_best_index_0_1_is_not_less else
-        slice3winner2_best_index_0_2;
-      slice3winner3_best_below_0_0 <= slice3winner3_best_below_0_0_choice when slice3winner3_best_index_0_0_is_not_less
-        else slice3winner2_best_below_0_0;
-      slice3winner3_best_below_0_1 <= slice3winner3_best_below_0_1_choice when slice3winner3_best_index_0_1_is_not_less
-        else slice3winner2_best_below_0_2;
-      slice3winner3_best_above_0_0 <= slice3winner2_best_above_0_1 when slice3winner3_best_index_0_0_is_not_less else
-        slice3winner3_best_above_0_0_choice;
-      slice3winner3_best_above_0_1 <= slice3winner2_best_above_0_3 when slice3winner3_best_index_0_1_is_not_less else
-        slice3winner3_best_above_0_1_choice;
+      if ((slice3winner2_best_index_0_2 / 8) = 1) and slice3winner3_best_above_0_1_is_equal then
+        slice3winner3_best_above_0_1_choice := slice3winner2_best_first_0_3;
+      else
+        slice3winner3_best_above_0_1_choice := slice3winner2_best_above_0_2;
+      end if;
+      if slice3winner3_best_place_0_0 then
+        slice3winner3_best_second_0_0_choice := slice3winner2_best_second_0_1;
+      else
+        slice3winner3_best_second_0_0_choice := slice3winner2_best_late_cost_0_1;
+      end if;
+      if slice3winner3_best_at_end_0_0 then
+        slice3winner3_best_second_0_0_choice_2 := slice3winner2_best_but_first_0_1;
+      else
+        slice3winner3_best_second_0_0_choice_2 := slice3winner3_best_second_0_0_choice;
+      end if;
+      if slice3winner3_best_place_0_0 then
+        slice3winner3_best_second_0_0_choice_3 := slice3winner2_best_late_cost_0_0;
+      else
+        slice3winner3_best_second_0_0_choice_3 := slice3winner2_best_second_0_0;
+      end if;
+      if slice3winner3_best_at_start_0_0 then
+        slice3winner3_best_second_0_0_choice_4 := slice3winner2_best_but_last_0_0;
+      else
+        slice3winner3_best_second_0_0_choice_4 := slice3winner3_best_second_0_0_choice_3;
+      end if;
+      if slice3winner3_best_place_0_1 then
+        slice3winner3_best_second_0_1_choice := slice3winner2_best_second_0_3;
+      else
+        slice3winner3_best_second_0_1_choice := slice3winner2_best_late_cost_0_3;
+      end if;
+      if slice3winner3_best_at_end_0_1 then
+        slice3winner3_best_second_0_1_choice_2 := slice3winner2_best_but_first_0_3;
+      else
+        slice3winner3_best_second_0_1_choice_2 := slice3winner3_best_second_0_1_choice;
+      end if;
+      if slice3winner3_best_place_0_1 then
+        slice3winner3_best_second_0_1_choice_3 := slice3winner2_best_late_cost_0_2;
+      else
+        slice3winner3_best_second_0_1_choice_3 := slice3winner2_best_second_0_2;
+      end if;
+      if slice3winner3_best_at_start_0_1 then
+        slice3winner3_best_second_0_1_choice_4 := slice3winner2_best_but_last_0_2;
+      else
+        slice3winner3_best_second_0_1_choice_4 := slice3winner3_best_second_0_1_choice_3;
+      end if;
       slice3winner3_best_first_0_0 <= slice3winner2_best_first_0_0;
       slice3winner3_best_first_0_1 <= slice3winner2_best_first_0_2;
       slice3winner3_best_last_0_0 <= slice3winner2_best_last_0_1;
@@ -5085,92 +7387,187 @@ begin
         ((slice3winner2_best_index_0_2 / 8) = 1) and slice3winner3_best_above_0_1_is_equal;
       slice3winner3_best_late_cost_0_0 <= slice3winner3_best_cost_0_0;
       slice3winner3_best_late_cost_0_1 <= slice3winner3_best_cost_0_1;
-      slice3winner3_best_second_0_0 <= slice3winner3_best_second_0_0_choice_2 when
-        (slice3winner3_best_second_0_0_choice_2 - slice3winner3_best_second_0_0_choice_4) < 0 else
-        slice3winner3_best_second_0_0_choice_4;
-      slice3winner3_best_second_0_1 <= slice3winner3_best_second_0_1_choice_2 when
-        (slice3winner3_best_second_0_1_choice_2 - slice3winner3_best_second_0_1_choice_4) < 0 else
-        slice3winner3_best_second_0_1_choice_4;
-      slice3winner3_best_but_first_0_0 <= slice3winner2_best_late_cost_0_1 when (slice3winner2_best_late_cost_0_1 -
-        slice3winner2_best_but_first_0_0) < 0 else slice3winner2_best_but_first_0_0;
-      slice3winner3_best_but_first_0_1 <= slice3winner2_best_late_cost_0_3 when (slice3winner2_best_late_cost_0_3 -
-        slice3winner2_best_but_first_0_2) < 0 else slice3winner2_best_but_first_0_2;
-      slice3winner3_best_but_last_0_0 <= slice3winner2_best_but_last_0_1 when (slice3winner2_best_but_last_0_1 -
-        slice3winner2_best_late_cost_0_0) < 0 else slice3winner2_best_late_cost_0_0;
+      if (slice3winner2_best_cost_0_1 - slice3winner2_best_cost_0_0) < 0 then
+        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_1;
+      else
+        slice3winner3_best_cost_0_0 <= slice3winner2_best_cost_0_0;
+      end if;
+      if (slice3winner2_best_cost_0_3 - slice3winner2_best_cost_0_2) < 0 then
+        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_3;
+      else
+        slice3winner3_best_cost_0_1 <= slice3winner2_best_cost_0_2;
+      end if;
+      if slice3winner3_best_index_0_0_is_not_less then
+        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_1;
+        slice3winner3_best_below_0_0 <= slice3winner3_best_below_0_0_choice;
+        slice3winner3_best_above_0_0 <= slice3winner2_best_above_0_1;
+      else
+        slice3winner3_best_index_0_0 <= slice3winner2_best_index_0_0;
+        slice3winner3_best_below_0_0 <= slice3winner2_best_below_0_0;
+        slice3winner3_best_above_0_0 <= slice3winner3_best_above_0_0_choice;
+      end if;
+      if slice3winner3_best_index_0_1_is_not_less then
+        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_3;
+        slice3winner3_best_below_0_1 <= slice3winner3_best_below_0_1_choice;
+        slice3winner3_best_above_0_1 <= slice3winner2_best_above_0_3;
+      else
+        slice3winner3_best_index_0_1 <= slice3winner2_best_index_0_2;
+        slice3winner3_best_below_0_1 <= slice3winner2_best_below_0_2;
+        slice3winner3_best_above_0_1 <= slice3winner3_best_above_0_1_choice;
+      end if;
+      if (slice3winner3_best_second_0_0_choice_2 - slice3winner3_best_second_0_0_choice_4) < 0 then
+        slice3winner3_best_second_0_0 <= slice3winner3_best_second_0_0_choice_2;
+      else
+        slice3winner3_best_second_0_0 <= slice3winner3_best_second_0_0_choice_4;
+      end if;
+      if (slice3winner3_best_second_0_1_choice_2 - slice3winner3_best_second_0_1_choice_4) < 0 then
+        slice3winner3_best_second_0_1 <= slice3winner3_best_second_0_1_choice_2;
+      else
+        slice3winner3_best_second_0_1 <= slice3winner3_best_second_0_1_choice_4;
+      end if;
+      if (slice3winner2_best_late_cost_0_1 - slice3winner2_best_but_first_0_0) < 0 then
+        slice3winner3_best_but_first_0_0 <= slice3winner2_best_late_cost_0_1;
+      else
+        slice3winner3_best_but_first_0_0 <= slice3winner2_best_but_first_0_0;
+      end if;
+      if (slice3winner2_best_late_cost_0_3 - slice3winner2_best_but_first_0_2) < 0 then
+        slice3winner3_best_but_first_0_1 <= slice3winner2_best_late_cost_0_3;
+      else
+        slice3winner3_best_but_first_0_1 <= slice3winner2_best_but_first_0_2;
+      end if;
+      if (slice3winner2_best_but_last_0_1 - slice3winner2_best_late_cost_0_0) < 0 then
+        slice3winner3_best_but_last_0_0 <= slice3winner2_best_but_last_0_1;
+      else
+        slice3winner3_best_but_last_0_0 <= slice3winner2_best_late_cost_0_0;
+      end if;
       -- slice3winner4
       slice3winner4_best_index_0_0_is_less := (slice3winner3_best_cost_0_0 - slice3winner3_best_cost_0_1) < 0;
       slice3winner4_best_below_0_0_is_equal := slice3winner3_best_index_0_1 = 8;
-      slice3winner4_best_below_0_0_choice := slice3winner3_best_last_0_0 when slice3winner4_best_below_0_0_is_equal
-        else slice3winner3_best_below_0_1;
+      if slice3winner4_best_below_0_0_is_equal then
+        slice3winner4_best_below_0_0_choice := slice3winner3_best_last_0_0;
+      else
+        slice3winner4_best_below_0_0_choice := slice3winner3_best_below_0_1;
+      end if;
       slice3winner4_best_above_0_0_is_equal := slice3winner3_best_index_0_0 = 7;
-      slice3winner4_best_above_0_0_choice := slice3winner3_best_first_0_1 when slice3winner4_best_above_0_0_is_equal
-        else slice3winner3_best_above_0_0;
+      if slice3winner4_best_above_0_0_is_equal then
+        slice3winner4_best_above_0_0_choice := slice3winner3_best_first_0_1;
+      else
+        slice3winner4_best_above_0_0_choice := slice3winner3_best_above_0_0;
+      end if;
       slice3winner4_best_place_0_0_is_not_less := (slice3winner3_best_cost_0_0 - slice3winner3_best_cost_0_1) >= 0;
-      slice3winner4_best_second_0_0_choice := slice3winner3_best_second_0_1 when slice3winner4_best_place_0_0 else
-        slice3winner3_best_late_cost_0_1;
-      slice3winner4_best_second_0_0_choice_2 := slice3winner3_best_but_first_0_1 when slice3winner4_best_at_end_0_0
-        else slice3winner4_best_second_0_0_choice;
-      slice3winner4_best_second_0_0_choice_3 := slice3winner3_best_late_cost_0_0 when slice3winner4_best_place_0_0 else
-        slice3winner3_best_second_0_0;
-      slice3winner4_best_second_0_0_choice_4 := slice3winner3_best_but_last_0_0 when slice3winner4_best_at_start_0_0
-        else slice3winner4_best_second_0_0_choice_3;
-      slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1 when (slice3winner3_best_cost_0_1 -
-        slice3winner3_best_cost_0_0) < 0 else slice3winner3_best_cost_0_0;
-      slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_0 when slice3winner4_best_index_0_0_is_less else
-        slice3winner3_best_index_0_1;
-      slice3winner4_best_below_0_0 <= slice3winner3_best_below_0_0 when slice3winner4_best_index_0_0_is_less else
-        slice3winner4_best_below_0_0_choice;
-      slice3winner4_best_above_0_0 <= slice3winner4_best_above_0_0_choice when slice3winner4_best_index_0_0_is_less
-        else slice3winner3_best_above_0_1;
+      if slice3winner4_best_place_0_0 then
+        slice3winner4_best_second_0_0_choice := slice3winner3_best_second_0_1;
+      else
+        slice3winner4_best_second_0_0_choice := slice3winner3_best_late_cost_0_1;
+      end if;
+      if slice3winner4_best_at_end_0_0 then
+        slice3winner4_best_second_0_0_choice_2 := slice3winner3_best_but_first_0_1;
+      else
+        slice3winner4_best_second_0_0_choice_2 := slice3winner4_best_second_0_0_choice;
+      end if;
+      if slice3winner4_best_place_0_0 then
+        slice3winner4_best_second_0_0_choice_3 := slice3winner3_best_late_cost_0_0;
+      else
+        slice3winner4_best_second_0_0_choice_3 := slice3winner3_best_second_0_0;
+      end if;
+      if slice3winner4_best_at_start_0_0 then
+        slice3winner4_best_second_0_0_choice_4 := slice3winner3_best_but_last_0_0;
+      else
+        slice3winner4_best_second_0_0_choice_4 := slice3winner4_best_second_0_0_choice_3;
+      end if;
       slice3winner4_best_first_0_0 <= slice3winner3_best_first_0_0;
       slice3winner4_best_place_0_0 <= slice3winner4_best_place_0_0_is_not_less;
       slice3winner4_best_at_start_0_0 <= slice3winner4_best_below_0_0_is_equal and
         slice3winner4_best_place_0_0_is_not_less;
       slice3winner4_best_at_end_0_0 <= slice3winner4_best_index_0_0_is_less and slice3winner4_best_above_0_0_is_equal;
       slice3winner4_best_late_cost_0_0 <= slice3winner4_best_cost_0_0;
-      slice3winner4_best_second_0_0 <= slice3winner4_best_second_0_0_choice_2 when
-        (slice3winner4_best_second_0_0_choice_2 - slice3winner4_best_second_0_0_choice_4) < 0 else
-        slice3winner4_best_second_0_0_choice_4;
-      slice3winner4_best_but_first_0_0 <= slice3winner3_best_late_cost_0_1 when (slice3winner3_best_late_cost_0_1 -
-        slice3winner3_best_but_first_0_0) < 0 else slice3winner3_best_but_first_0_0;
+      if (slice3winner3_best_cost_0_1 - slice3winner3_best_cost_0_0) < 0 then
+        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_1;
+      else
+        slice3winner4_best_cost_0_0 <= slice3winner3_best_cost_0_0;
+      end if;
+      if slice3winner4_best_index_0_0_is_less then
+        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_0;
+        slice3winner4_best_below_0_0 <= slice3winner3_best_below_0_0;
+        slice3winner4_best_above_0_0 <= slice3winner4_best_above_0_0_choice;
+      else
+        slice3winner4_best_index_0_0 <= slice3winner3_best_index_0_1;
+        slice3winner4_best_below_0_0 <= slice3winner4_best_below_0_0_choice;
+        slice3winner4_best_above_0_0 <= slice3winner3_best_above_0_1;
+      end if;
+      if (slice3winner4_best_second_0_0_choice_2 - slice3winner4_best_second_0_0_choice_4) < 0 then
+        slice3winner4_best_second_0_0 <= slice3winner4_best_second_0_0_choice_2;
+      else
+        slice3winner4_best_second_0_0 <= slice3winner4_best_second_0_0_choice_4;
+      end if;
+      if (slice3winner3_best_late_cost_0_1 - slice3winner3_best_but_first_0_0) < 0 then
+        slice3winner4_best_but_first_0_0 <= slice3winner3_best_late_cost_0_1;
+      else
+        slice3winner4_best_but_first_0_0 <= slice3winner3_best_but_first_0_0;
+      end if;
       -- slice3
       slice3_best_index_0_0_is_less := (slice2_best_cost_0_0 - slice3winner4_best_cost_0_0) < 0;
       slice3_best_below_0_0_is_equal := slice3winner4_best_index_0_0 = 0;
-      slice3_best_below_0_0_choice := slice2_best_last_0_0 when slice3_best_below_0_0_is_equal else
-        slice3winner4_best_below_0_0;
+      if slice3_best_below_0_0_is_equal then
+        slice3_best_below_0_0_choice := slice2_best_last_0_0;
+      else
+        slice3_best_below_0_0_choice := slice3winner4_best_below_0_0;
+      end if;
       slice3_best_above_0_0_is_equal := slice2_best_index_0_0 = 47;
-      slice3_best_above_0_0_choice := slice3winner4_best_first_0_0 when slice3_best_above_0_0_is_equal else
-        slice2_best_above_0_0;
+      if slice3_best_above_0_0_is_equal then
+        slice3_best_above_0_0_choice := slice3winner4_best_first_0_0;
+      else
+        slice3_best_above_0_0_choice := slice2_best_above_0_0;
+      end if;
       slice3_best_place_0_0_is_not_less := (slice2_best_cost_0_0 - slice3winner4_best_cost_0_0) >= 0;
-      slice3_best_second_0_0_choice := slice3winner4_best_second_0_0 when slice3_best_place_0_0 else
-        slice3winner4_best_late_cost_0_0;
-      slice3_best_second_0_0_choice_2 := slice3winner4_best_but_first_0_0 when slice3_best_at_end_0_0 else
-        slice3_best_second_0_0_choice;
-      slice3_best_second_0_0_choice_3 := slice2_best_late_cost_0_0 when slice3_best_place_0_0 else
-        slice2_best_second_0_0;
-      slice3_best_second_0_0_choice_4 := slice2_best_but_last_0_0 when slice3_best_at_start_0_0 else
-        slice3_best_second_0_0_choice_3;
-      slice3_best_cost_0_0 <= slice3winner4_best_cost_0_0 when (slice3winner4_best_cost_0_0 - slice2_best_cost_0_0) < 0
-        else slice2_best_cost_0_0;
-      slice3_best_index_0_0 <= slice2_best_index_0_0 when slice3_best_index_0_0_is_less else
-        slice3winner4_best_index_0_0 + 48;
-      slice3_best_below_0_0 <= slice2_best_below_0_0 when slice3_best_index_0_0_is_less else
-        slice3_best_below_0_0_choice;
-      slice3_best_above_0_0 <= slice3_best_above_0_0_choice when slice3_best_index_0_0_is_less else
-        slice3winner4_best_above_0_0;
+      if slice3_best_place_0_0 then
+        slice3_best_second_0_0_choice := slice3winner4_best_second_0_0;
+      else
+        slice3_best_second_0_0_choice := slice3winner4_best_late_cost_0_0;
+      end if;
+      if slice3_best_at_end_0_0 then
+        slice3_best_second_0_0_choice_2 := slice3winner4_best_but_first_0_0;
+      else
+        slice3_best_second_0_0_choice_2 := slice3_best_second_0_0_choice;
+      end if;
+      if slice3_best_place_0_0 then
+        slice3_best_second_0_0_choice_3 := slice2_best_late_cost_0_0;
+      else
+        slice3_best_second_0_0_choice_3 := slice2_best_second_0_0;
+      end if;
+      if slice3_best_at_start_0_0 then
+        slice3_best_second_0_0_choice_4 := slice2_best_but_last_0_0;
+      else
+        slice3_best_second_0_0_choice_4 := slice3_best_second_0_0_choice_3;
+      end if;
       slice3_best_place_0_0 <= slice3_best_place_0_0_is_not_less;
       slice3_best_at_start_0_0 <= slice3_best_below_0_0_is_equal and slice3_best_place_0_0_is_not_less;
       slice3_best_at_end_0_0 <= slice3_best_index_0_0_is_less and slice3_best_above_0_0_is_equal;
       slice3_best_late_cost_0_0 <= slice3_best_cost_0_0;
-      slice3_best_second_0_0 <= slice3_best_second_0_0_choice_2 when (slice3_best_second_0_0_choice_2 -
-        slice3_best_second_0_0_choice_4) < 0 else slice3_best_second_0_0_choice_4;
       slice3_best_tag_valid <= slice2_best_tag_valid;
       slice3_best_tag_output_column <= slice2_best_tag_output_column;
       slice3_best_tag_start_of_frame <= slice2_best_tag_start_of_frame;
       slice3_best_tag_end_of_line <= slice2_best_tag_end_of_line;
+      if (slice3winner4_best_cost_0_0 - slice2_best_cost_0_0) < 0 then
+        slice3_best_cost_0_0 <= slice3winner4_best_cost_0_0;
+      else
+        slice3_best_cost_0_0 <= slice2_best_cost_0_0;
+      end if;
+      if slice3_best_index_0_0_is_less then
+        slice3_best_index_0_0 <= slice2_best_index_0_0;
+        slice3_best_below_0_0 <= slice2_best_below_0_0;
+        slice3_best_above_0_0 <= slice3_best_above_0_0_choice;
+      else
+        slice3_best_index_0_0 <= slice3winner4_best_index_0_0 + 48;
+        slice3_best_below_0_0 <= slice3_best_below_0_0_choice;
+        slice3_best_above_0_0 <= slice3winner4_best_above_0_0;
+      end if;
+      if (slice3_best_second_0_0_choice_2 - slice3_best_second_0_0_choice_4) < 0 then
+        slice3_best_second_0_0 <= slice3_best_second_0_0_choice_2;
+      else
+        slice3_best_second_0_0 <= slice3_best_second_0_0_choice_4;
+      end if;
       -- texture
-      texture_taps_search_0_0 <= 31 when rows_inside_0 else 0;
-      texture_taps_search_1_0 <= 31 when rows_inside_1 else 0;
       texture_passes_0_0 <= 9 < texturewindow_sum_0_0;
       texture_passes_1_0 <= texture_passes_0_0;
       texture_passes_2_0 <= texture_passes_1_0;
@@ -5179,10 +7576,27 @@ begin
       texture_passes_5_0 <= texture_passes_4_0;
       texture_passes_6_0 <= texture_passes_5_0;
       texture_passes_7_0 <= texture_passes_6_0;
+      if rows_inside_0 then
+        texture_taps_search_0_0 <= 31;
+      else
+        texture_taps_search_0_0 <= 0;
+      end if;
+      if rows_inside_1 then
+        texture_taps_search_1_0 <= 31;
+      else
+        texture_taps_search_1_0 <= 0;
+      end if;
       -- texturecost
-      texturecost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else texturecost_ready_words_0;
-      texturecost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (texturecost_column_0_0_choice
-        + texturecost_change_0_0) mod 1024;
+      if slice0cost_ready_tag_first_group then
+        texturecost_column_0_0_choice := 0;
+      else
+        texturecost_column_0_0_choice := texturecost_ready_words_0;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        texturecost_column_0_0_choice_2 := 0;
+      else
+        texturecost_column_0_0_choice_2 := (texturecost_column_0_0_choice + texturecost_change_0_0) mod 1024;
+      end if;
       texturecost_pixels_first_0_0 <= texture_taps_search_0_0 - slice0shift_reference_0;
       texturecost_pixels_first_1_0 <= texture_taps_search_1_0 - slice0shift_reference_1;
       texturecost_pixels_cost_0_0 <= folded(texturecost_pixels_first_0_0) + as_number((texturecost_pixels_first_0_0 <
@@ -5203,7 +7617,11 @@ begin
       end if;
       texturewindow_entering_0_0 <= texturecost_column_0_0;
       texturewindow_change_0_0 <= texturewindow_entering_0_0 - texturewindow_change_0_0_choice;
-      texturewindow_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else texturewindow_sum_0_0;
+      if slice0window_change_tag_first_cost then
+        texturewindow_sum_0_0_choice := 0;
+      else
+        texturewindow_sum_0_0_choice := texturewindow_sum_0_0;
+      end if;
       if slice0window_change_tag_valid then
         texturewindow_sum_0_0 <= (texturewindow_sum_0_0_choice + texturewindow_change_0_0) mod 16384;
       end if;
@@ -5216,7 +7634,11 @@ begin
       refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 32768) - refinement_divisor_5_0;
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 32768) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -5244,8 +7666,6 @@ begin
       refinement_passed_0_0 <= texture_passes_7_0;
       refinement_passed_1_0 <= refinement_passed_0_0;
       refinement_passed_2_0 <= refinement_passed_1_0;
-      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_0 else refinement_passed_2_0 and
-        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
       refinement_passed_6_0 <= refinement_passed_5_0;
@@ -5308,26 +7728,10 @@ begin
       refinement_lowest_0 <= slice3_best_late_cost_0_0;
       refinement_scaled_gap_0 <= (((refinement_gap_0 + (refinement_gap_0 / 4)) * 4) + (refinement_gap_0 mod 4)) * 4;
       refinement_scaled_cost_0 <= ((refinement_lowest_0 + (refinement_lowest_0 / 2)) * 2) + (refinement_lowest_0 mod 2);
-      refinement_below_0 <= slice3_best_above_0_0 when slice3_best_index_0_0 = 0 else slice3_best_below_0_0;
-      refinement_above_0 <= slice3_best_below_0_0 when slice3_best_index_0_0 = 63 else slice3_best_above_0_0;
       refinement_u_0 <= (refinement_below_0 - slice3_best_late_cost_0_0) mod 16384;
       refinement_v_0 <= (refinement_above_0 - slice3_best_late_cost_0_0) mod 16384;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 16384 when
-        (refinement_remainder_1_0_difference / 32768) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 16384 when
-        (refinement_remainder_2_0_difference / 32768) = 1 else (refinement_remainder_1_0 mod 8192) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 16384 when
-        (refinement_remainder_3_0_difference / 32768) = 1 else (refinement_remainder_2_0 mod 8192) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 16384 when
-        (refinement_remainder_4_0_difference / 32768) = 1 else (refinement_remainder_3_0 mod 8192) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 16384 when
-        (refinement_remainder_5_0_difference / 32768) = 1 else (refinement_remainder_4_0 mod 8192) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 16384 when
-        (refinement_remainder_6_0_difference / 32768) = 1 else (refinement_remainder_5_0 mod 8192) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 16384 when
-        (refinement_remainder_7_0_difference / 32768) = 1 else (refinement_remainder_6_0 mod 8192) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 14)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 14))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
@@ -5349,6 +7753,56 @@ begin
       refinement_negative_7_0 <= refinement_negative_6_0;
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
+      if refinement_alone_1_0 then
+        refinement_passed_3_0 <= refinement_passed_2_0;
+      else
+        refinement_passed_3_0 <= refinement_passed_2_0 and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      end if;
+      if slice3_best_index_0_0 = 0 then
+        refinement_below_0 <= slice3_best_above_0_0;
+      else
+        refinement_below_0 <= slice3_best_below_0_0;
+      end if;
+      if slice3_best_index_0_0 = 63 then
+        refinement_above_0 <= slice3_best_below_0_0;
+      else
+        refinement_above_0 <= slice3_best_above_0_0;
+      end if;
+      if (refinement_remainder_1_0_difference / 32768) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 16384;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_2_0_difference / 32768) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 16384;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 8192) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 32768) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 16384;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 8192) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 32768) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 16384;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 8192) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 32768) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 16384;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 8192) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 32768) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 16384;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 8192) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 32768) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 16384;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 8192) * 2;
+      end if;
       -- map
       map_out_disparity_0 <= (((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) +
         ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);

@@ -526,89 +526,137 @@ architecture rtl of stereo_core_study_all is
   signal other_7 : natural range 0 to 224;
   signal other_8 : natural range 0 to 192;
   signal other_9 : natural range 0 to 128;
+  signal map_rows_read_words_0_memory_read_enable : boolean;
+  signal map_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal map_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal leftright_found_0_memory_read_enable : boolean;
+  signal leftright_found_0_memory_read_address : unsigned(4 downto 0);
+  signal leftright_found_0_memory_write_address : unsigned(4 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_read_enable : boolean;
+  signal leftright_held_0_memory_read_address : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_address : unsigned(3 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(3 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(3 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(6 downto 0);
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  map_rows_read_words_0_memory_read_enable <= true;
+  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 9);
+  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 9);
   map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 304, width => 26)
+    generic map (depth => 304, width => 26, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
+      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
+      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
 
+  leftright_found_0_memory_read_enable <= true;
+  leftright_found_0_memory_read_address <= to_unsigned(leftright_address_0, 5);
+  leftright_found_0_memory_write_address <= to_unsigned(leftright_position, 5);
   leftright_found_0_memory_write_data <= to_unsigned(leftright_other_14_0, 4);
   leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 4)
+    generic map (depth => 32, width => 4, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+      clock => clock, read_enable => leftright_found_0_memory_read_enable,
+      read_address => leftright_found_0_memory_read_address, read_data => leftright_found_0,
+      write_address => leftright_found_0_memory_write_address, write_data => leftright_found_0_memory_write_data);
 
+  leftright_held_0_memory_read_enable <= true;
+  leftright_held_0_memory_read_address <= to_unsigned(leftright_ring_read_address, 4);
+  leftright_held_0_memory_write_address <= to_unsigned(leftright_ring_write_address, 4);
   leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
   leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 18)
+    generic map (depth => 16, width => 18, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+      clock => clock, read_enable => leftright_held_0_memory_read_enable,
+      read_address => leftright_held_0_memory_read_address, read_data => leftright_held_0,
+      write_address => leftright_held_0_memory_write_address, write_data => leftright_held_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 28)
+    generic map (depth => 320, width => 28, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 28)
+    generic map (depth => 320, width => 28, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 4);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 4);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 7);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 7)
+    generic map (depth => 16, width => 7, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
   transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 16)
+    generic map (depth => 320, width => 16, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
   transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 16)
+    generic map (depth => 320, width => 16, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -701,27 +749,46 @@ begin
       transform_counter_group_is_equal_2 := transform_counter_column = 319;
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
       transform_counter_group_is_equal_3 := (transform_counter_group / 2) = 32;
-      transform_counter_group_choice := in_valid and transform_counter_group_is_equal_2 and (not
-        ((transform_counter_group mod 2) = 1)) when transform_counter_group_is_equal_3 else in_valid and
-        transform_counter_group_is_equal_2;
-      transform_counter_group_choice_2 := 1 when transform_counter_next_frame and (transform_counter_group = 64) else
-        (transform_counter_group + 1) mod 128;
-      transform_counter_group_choice_3 := transform_counter_group_choice_2 when transform_counter_group_choice else
-        transform_counter_group;
+      if transform_counter_group_is_equal_3 then
+        transform_counter_group_choice := in_valid and transform_counter_group_is_equal_2 and (not
+          ((transform_counter_group mod 2) = 1));
+      else
+        transform_counter_group_choice := in_valid and transform_counter_group_is_equal_2;
+      end if;
+      if transform_counter_next_frame and (transform_counter_group = 64) then
+        transform_counter_group_choice_2 := 1;
+      else
+        transform_counter_group_choice_2 := (transform_counter_group + 1) mod 128;
+      end if;
+      if transform_counter_group_choice then
+        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+      else
+        transform_counter_group_choice_3 := transform_counter_group;
+      end if;
       transform_read_column_inside_0_differs := transform_counter_column /= 0;
-      transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
-        (transform_left_filter_slope_0 + 31) mod 128;
-      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-31) else
-        transform_left_filter_feature_0_choice;
-      transform_right_filter_feature_0_choice := 62 when 31 < transform_right_filter_slope_0 else
-        (transform_right_filter_slope_0 + 31) mod 128;
-      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-31) else
-        transform_right_filter_feature_0_choice;
+      if 31 < transform_left_filter_slope_0 then
+        transform_left_filter_feature_0_choice := 62;
+      else
+        transform_left_filter_feature_0_choice := (transform_left_filter_slope_0 + 31) mod 128;
+      end if;
+      if transform_left_filter_slope_0 < (-31) then
+        transform_left_filter_feature_0_choice_2 := 0;
+      else
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      end if;
+      if 31 < transform_right_filter_slope_0 then
+        transform_right_filter_feature_0_choice := 62;
+      else
+        transform_right_filter_feature_0_choice := (transform_right_filter_slope_0 + 31) mod 128;
+      end if;
+      if transform_right_filter_slope_0 < (-31) then
+        transform_right_filter_feature_0_choice_2 := 0;
+      else
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= as_number(transform_counter_group_all) * 64 when in_valid and in_start_of_frame else
-        transform_counter_group_choice_3;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -757,11 +824,7 @@ begin
       transform_columns_valid <= transform_ready_valid;
       transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
       transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
-      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
-        31;
       transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
-      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
-        else 31;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -770,16 +833,40 @@ begin
       transform_filtering_1_valid <= transform_filtering_0_valid;
       transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
       transform_filtering_2_valid <= transform_filtering_1_valid;
-      transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1)
-        when transform_counter_group_is_equal_2 else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
-        transform_counter_group_is_equal_3 else transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= as_number(transform_counter_group_all) * 64;
+      else
+        transform_counter_group <= transform_counter_group_choice_3;
+      end if;
+      if transform_left_filter_whole then
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2;
+      else
+        transform_left_filter_feature_0 <= 31;
+        transform_right_filter_feature_0 <= 31;
+      end if;
+      if transform_counter_group_is_equal_2 then
+        transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1);
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
+      if transform_counter_group_is_equal_3 then
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
+      else
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when in_start_of_frame or transform_counter_group_is_equal_2 else
-          (transform_counter_column + 1) mod 512;
-        transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame) when
-          transform_counter_next_frame_choice_2 else transform_counter_group_is_equal and
-          transform_counter_group_is_equal_2 and in_start_of_frame;
+        if in_start_of_frame or transform_counter_group_is_equal_2 then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 512;
+        end if;
+        if transform_counter_next_frame_choice_2 then
+          transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame);
+        else
+          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_newest_0 * 256) +
@@ -788,18 +875,36 @@ begin
           (transform_right_rows_ready_words_0 / 256);
         transform_write_column <= transform_ready_column;
       end if;
-      transform_left_filter_column_0_0_choice := transform_left_column_0 when transform_columns_row_inside_0 else
-        transform_left_column_2;
-      transform_left_filter_column_0_0_choice_2 := transform_left_column_2 when transform_columns_row_inside_2 else
-        transform_left_column_0;
-      transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1 when
-        transform_columns_row_inside_2 else (transform_left_column_0 mod 2) = 1;
-      transform_right_filter_column_0_0_choice := transform_right_column_0 when transform_columns_row_inside_0 else
-        transform_right_column_2;
-      transform_right_filter_column_0_0_choice_2 := transform_right_column_2 when transform_columns_row_inside_2 else
-        transform_right_column_0;
-      transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1 when
-        transform_columns_row_inside_2 else (transform_right_column_0 mod 2) = 1;
+      if transform_columns_row_inside_0 then
+        transform_left_filter_column_0_0_choice := transform_left_column_0;
+      else
+        transform_left_filter_column_0_0_choice := transform_left_column_2;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_2;
+      else
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_0;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1;
+      else
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_0 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_0 then
+        transform_right_filter_column_0_0_choice := transform_right_column_0;
+      else
+        transform_right_filter_column_0_0_choice := transform_right_column_2;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_2;
+      else
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_0;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1;
+      else
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_0 mod 2) = 1;
+      end if;
       if transform_columns_valid then
         transform_left_filter_column_0_0 <= transform_left_filter_column_0_0_choice +
           (((transform_left_filter_column_0_0_choice_2 / 2) + transform_left_column_1) * 2) +
@@ -817,28 +922,50 @@ begin
       raster_place_group_is_equal_2 := raster_place_column = 319;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
       raster_place_group_is_equal_3 := raster_place_group = 65;
-      raster_place_group_choice := 2 when raster_place_next_frame and raster_place_group_is_equal_3 else
-        (raster_place_group + 1) mod 128;
-      raster_place_group_choice_2 := raster_place_group_choice when (raster_place_group /= 66) and
-        transform_filtering_2_valid and raster_place_group_is_equal_2 else raster_place_group;
+      if raster_place_next_frame and raster_place_group_is_equal_3 then
+        raster_place_group_choice := 2;
+      else
+        raster_place_group_choice := (raster_place_group + 1) mod 128;
+      end if;
+      if (raster_place_group /= 66) and transform_filtering_2_valid and raster_place_group_is_equal_2 then
+        raster_place_group_choice_2 := raster_place_group_choice;
+      else
+        raster_place_group_choice_2 := raster_place_group;
+      end if;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_reference_0 <= transform_right_filter_feature_0;
       raster_features_valid <= transform_filtering_2_valid;
-      raster_place_group <= as_number(raster_place_group_all) * 64 when transform_filtering_2_valid and
-        transform_filtering_2_start_of_frame else raster_place_group_choice_2;
-      raster_place_next_frame_choice := raster_place_group_all when transform_filtering_2_start_of_frame else
-        raster_place_next_frame;
+      if transform_filtering_2_valid and transform_filtering_2_start_of_frame then
+        raster_place_group <= as_number(raster_place_group_all) * 64;
+      else
+        raster_place_group <= raster_place_group_choice_2;
+      end if;
+      if transform_filtering_2_start_of_frame then
+        raster_place_next_frame_choice := raster_place_group_all;
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
       if transform_filtering_2_valid then
-        raster_place_column <= 0 when transform_filtering_2_start_of_frame or raster_place_group_is_equal_2 else
-          (raster_place_column + 1) mod 512;
-        raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          transform_filtering_2_start_of_frame when raster_place_group_is_equal_2 and raster_place_group_is_equal_3
-          else raster_place_next_frame_choice;
+        if transform_filtering_2_start_of_frame or raster_place_group_is_equal_2 then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 512;
+        end if;
+        if raster_place_group_is_equal_2 and raster_place_group_is_equal_3 then
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            transform_filtering_2_start_of_frame;
+        else
+          raster_place_next_frame <= raster_place_next_frame_choice;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 15 else (delay_ring_read_address + 1) mod 16;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 15 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 16;
+        end if;
       end if;
       delay_row_inside_2_is_less := (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2))
         < 64;
@@ -893,16 +1020,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_search_1 <= (rows_search_rows_ready_words_0 / 128) mod 128 when rows_ready_inside_1 else 0;
-      rows_search_2 <= (rows_search_rows_ready_words_0 / 16384) mod 128 when rows_ready_inside_2 else 0;
-      rows_search_3 <= rows_search_rows_ready_words_0 / 2097152 when rows_ready_inside_3 else 0;
-      rows_search_4 <= rows_search_rows_ready_newest_0 when rows_ready_inside_4 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= (rows_reference_rows_ready_words_0 / 128) mod 128 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= (rows_reference_rows_ready_words_0 / 16384) mod 128 when rows_ready_inside_2 else 0;
-      rows_reference_3 <= rows_reference_rows_ready_words_0 / 2097152 when rows_ready_inside_3 else 0;
-      rows_reference_4 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_4 else 0;
       rows_inside_0 <= rows_ready_inside_0;
       rows_inside_1 <= rows_ready_inside_1;
       rows_inside_2 <= rows_ready_inside_2;
@@ -915,6 +1032,41 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 128;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= (rows_search_rows_ready_words_0 / 128) mod 128;
+        rows_reference_1 <= (rows_reference_rows_ready_words_0 / 128) mod 128;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= (rows_search_rows_ready_words_0 / 16384) mod 128;
+        rows_reference_2 <= (rows_reference_rows_ready_words_0 / 16384) mod 128;
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
+      if rows_ready_inside_3 then
+        rows_search_3 <= rows_search_rows_ready_words_0 / 2097152;
+        rows_reference_3 <= rows_reference_rows_ready_words_0 / 2097152;
+      else
+        rows_search_3 <= 0;
+        rows_reference_3 <= 0;
+      end if;
+      if rows_ready_inside_4 then
+        rows_search_4 <= rows_search_rows_ready_newest_0;
+        rows_reference_4 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_4 <= 0;
+        rows_reference_4 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 128) + (rows_search_rows_ready_newest_0 *
           2097152);
@@ -1093,22 +1245,6 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0 + slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0);
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1 + slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1);
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2 + slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2);
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_3) +
-        slice0cost_pair_0_3 + slice0cost_single_0_3 + slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3);
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_4) +
-        slice0cost_pair_0_4 + slice0cost_single_0_4 + slice0cost_pair_1_4 + as_number(slice0cost_negative_1_4);
-      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_5) +
-        slice0cost_pair_0_5 + slice0cost_single_0_5 + slice0cost_pair_1_5 + as_number(slice0cost_negative_1_5);
-      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_6) +
-        slice0cost_pair_0_6 + slice0cost_single_0_6 + slice0cost_pair_1_6 + as_number(slice0cost_negative_1_6);
-      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_7) +
-        slice0cost_pair_0_7 + slice0cost_single_0_7 + slice0cost_pair_1_7 + as_number(slice0cost_negative_1_7);
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
@@ -1116,6 +1252,33 @@ begin
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+        slice0cost_column_0_5 <= 0;
+        slice0cost_column_0_6 <= 0;
+        slice0cost_column_0_7 <= 0;
+      else
+        slice0cost_column_0_0 <= as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0 +
+          slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0);
+        slice0cost_column_0_1 <= as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1 +
+          slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1);
+        slice0cost_column_0_2 <= as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2 +
+          slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2);
+        slice0cost_column_0_3 <= as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 + slice0cost_single_0_3 +
+          slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3);
+        slice0cost_column_0_4 <= as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 + slice0cost_single_0_4 +
+          slice0cost_pair_1_4 + as_number(slice0cost_negative_1_4);
+        slice0cost_column_0_5 <= as_number(slice0cost_negative_0_5) + slice0cost_pair_0_5 + slice0cost_single_0_5 +
+          slice0cost_pair_1_5 + as_number(slice0cost_negative_1_5);
+        slice0cost_column_0_6 <= as_number(slice0cost_negative_0_6) + slice0cost_pair_0_6 + slice0cost_single_0_6 +
+          slice0cost_pair_1_6 + as_number(slice0cost_negative_1_6);
+        slice0cost_column_0_7 <= as_number(slice0cost_negative_0_7) + slice0cost_pair_0_7 + slice0cost_single_0_7 +
+          slice0cost_pair_1_7 + as_number(slice0cost_negative_1_7);
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -1178,35 +1341,93 @@ begin
       slice0other_cost_0_0_all := slice0window_tag_output_column and (((slice0other_cost_0_1 - slice0window_sum_0_0) >=
         0) or slice0window_tag_first_column);
       slice0other_cost_0_1_all := slice0window_tag_output_column and slice0window_tag_first_column;
-      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0other_cost_0_2 - slice0window_sum_0_1)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_2_choice := slice0window_tag_output_column when (slice0other_cost_0_3 - slice0window_sum_0_2)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_3_choice := slice0window_tag_output_column when (slice0other_cost_0_4 - slice0window_sum_0_3)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_4_choice := slice0window_tag_output_column when (slice0other_cost_0_5 - slice0window_sum_0_4)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_5_choice := slice0window_tag_output_column when (slice0other_cost_0_6 - slice0window_sum_0_5)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_6_choice := slice0window_tag_output_column when (slice0other_cost_0_7 - slice0window_sum_0_6)
-        >= 0 else slice0other_cost_0_1_all;
+      if (slice0other_cost_0_2 - slice0window_sum_0_1) >= 0 then
+        slice0other_cost_0_1_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_1_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_0_3 - slice0window_sum_0_2) >= 0 then
+        slice0other_cost_0_2_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_2_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_0_4 - slice0window_sum_0_3) >= 0 then
+        slice0other_cost_0_3_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_3_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_0_5 - slice0window_sum_0_4) >= 0 then
+        slice0other_cost_0_4_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_4_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_0_6 - slice0window_sum_0_5) >= 0 then
+        slice0other_cost_0_5_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_5_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_0_7 - slice0window_sum_0_6) >= 0 then
+        slice0other_cost_0_6_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_6_choice := slice0other_cost_0_1_all;
+      end if;
       if slice0window_tag_valid then
-        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else slice0other_cost_0_1;
-        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_2;
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_choice else slice0other_cost_0_3;
-        slice0other_cost_0_3 <= slice0window_sum_0_3 when slice0other_cost_0_3_choice else slice0other_cost_0_4;
-        slice0other_cost_0_4 <= slice0window_sum_0_4 when slice0other_cost_0_4_choice else slice0other_cost_0_5;
-        slice0other_cost_0_5 <= slice0window_sum_0_5 when slice0other_cost_0_5_choice else slice0other_cost_0_6;
-        slice0other_cost_0_6 <= slice0window_sum_0_6 when slice0other_cost_0_6_choice else slice0other_cost_0_7;
-        slice0other_cost_0_7 <= slice0window_sum_0_7 when slice0window_tag_output_column else 0;
-        slice0other_winner_0_0 <= 8 when slice0other_cost_0_0_all else slice0other_winner_0_1;
-        slice0other_winner_0_1 <= 9 when slice0other_cost_0_1_choice else slice0other_winner_0_2;
-        slice0other_winner_0_2 <= 10 when slice0other_cost_0_2_choice else slice0other_winner_0_3;
-        slice0other_winner_0_3 <= 11 when slice0other_cost_0_3_choice else slice0other_winner_0_4;
-        slice0other_winner_0_4 <= 12 when slice0other_cost_0_4_choice else slice0other_winner_0_5;
-        slice0other_winner_0_5 <= 13 when slice0other_cost_0_5_choice else slice0other_winner_0_6;
-        slice0other_winner_0_6 <= 14 when slice0other_cost_0_6_choice else slice0other_winner_0_7;
-        slice0other_winner_0_7 <= 15 when slice0window_tag_output_column else 0;
+        if slice0other_cost_0_0_all then
+          slice0other_cost_0_0 <= slice0window_sum_0_0;
+          slice0other_winner_0_0 <= 8;
+        else
+          slice0other_cost_0_0 <= slice0other_cost_0_1;
+          slice0other_winner_0_0 <= slice0other_winner_0_1;
+        end if;
+        if slice0other_cost_0_1_choice then
+          slice0other_cost_0_1 <= slice0window_sum_0_1;
+          slice0other_winner_0_1 <= 9;
+        else
+          slice0other_cost_0_1 <= slice0other_cost_0_2;
+          slice0other_winner_0_1 <= slice0other_winner_0_2;
+        end if;
+        if slice0other_cost_0_2_choice then
+          slice0other_cost_0_2 <= slice0window_sum_0_2;
+          slice0other_winner_0_2 <= 10;
+        else
+          slice0other_cost_0_2 <= slice0other_cost_0_3;
+          slice0other_winner_0_2 <= slice0other_winner_0_3;
+        end if;
+        if slice0other_cost_0_3_choice then
+          slice0other_cost_0_3 <= slice0window_sum_0_3;
+          slice0other_winner_0_3 <= 11;
+        else
+          slice0other_cost_0_3 <= slice0other_cost_0_4;
+          slice0other_winner_0_3 <= slice0other_winner_0_4;
+        end if;
+        if slice0other_cost_0_4_choice then
+          slice0other_cost_0_4 <= slice0window_sum_0_4;
+          slice0other_winner_0_4 <= 12;
+        else
+          slice0other_cost_0_4 <= slice0other_cost_0_5;
+          slice0other_winner_0_4 <= slice0other_winner_0_5;
+        end if;
+        if slice0other_cost_0_5_choice then
+          slice0other_cost_0_5 <= slice0window_sum_0_5;
+          slice0other_winner_0_5 <= 13;
+        else
+          slice0other_cost_0_5 <= slice0other_cost_0_6;
+          slice0other_winner_0_5 <= slice0other_winner_0_6;
+        end if;
+        if slice0other_cost_0_6_choice then
+          slice0other_cost_0_6 <= slice0window_sum_0_6;
+          slice0other_winner_0_6 <= 14;
+        else
+          slice0other_cost_0_6 <= slice0other_cost_0_7;
+          slice0other_winner_0_6 <= slice0other_winner_0_7;
+        end if;
+        if slice0window_tag_output_column then
+          slice0other_cost_0_7 <= slice0window_sum_0_7;
+          slice0other_winner_0_7 <= 15;
+        else
+          slice0other_cost_0_7 <= 0;
+          slice0other_winner_0_7 <= 0;
+        end if;
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0_0;
       slice0other_winner_out_0 <= slice0other_winner_0_0;
@@ -1223,26 +1444,7 @@ begin
       slice0winner1_held_0_5 <= slice0window_sum_0_5;
       slice0winner1_held_0_6 <= slice0window_sum_0_6;
       slice0winner1_held_0_7 <= slice0window_sum_0_7;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
-      slice0winner1_best_below_0_1 <= slice0window_sum_0_2 when slice0winner1_best_cost_0_1_is_less else 0;
-      slice0winner1_best_below_0_2 <= slice0window_sum_0_4 when slice0winner1_best_cost_0_2_is_less else 0;
-      slice0winner1_best_below_0_3 <= slice0window_sum_0_6 when slice0winner1_best_cost_0_3_is_less else 0;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
-      slice0winner1_best_above_0_1 <= 0 when slice0winner1_best_cost_0_1_is_less else slice0window_sum_0_3;
-      slice0winner1_best_above_0_2 <= 0 when slice0winner1_best_cost_0_2_is_less else slice0window_sum_0_5;
-      slice0winner1_best_above_0_3 <= 0 when slice0winner1_best_cost_0_3_is_less else slice0window_sum_0_7;
       slice0winner1_best_place_0_2 <= slice0winner1_best_cost_0_2_is_less;
       slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
       slice0winner1_best_late_cost_0_1 <= slice0winner1_best_cost_0_1;
@@ -1261,51 +1463,113 @@ begin
       slice0winner1_tag_first_column <= slice1window_centre_first_column_1;
       slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+      end if;
+      if slice0winner1_best_cost_0_1_is_less then
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_index_0_1 <= 3;
+        slice0winner1_best_below_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_above_0_1 <= 0;
+      else
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_index_0_1 <= 2;
+        slice0winner1_best_below_0_1 <= 0;
+        slice0winner1_best_above_0_1 <= slice0window_sum_0_3;
+      end if;
+      if slice0winner1_best_cost_0_2_is_less then
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_index_0_2 <= 5;
+        slice0winner1_best_below_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_above_0_2 <= 0;
+      else
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_index_0_2 <= 4;
+        slice0winner1_best_below_0_2 <= 0;
+        slice0winner1_best_above_0_2 <= slice0window_sum_0_5;
+      end if;
+      if slice0winner1_best_cost_0_3_is_less then
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+        slice0winner1_best_index_0_3 <= 7;
+        slice0winner1_best_below_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_above_0_3 <= 0;
+      else
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_index_0_3 <= 6;
+        slice0winner1_best_below_0_3 <= 0;
+        slice0winner1_best_above_0_3 <= slice0window_sum_0_7;
+      end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
       slice0winner2_best_below_0_0_is_equal := slice0winner1_best_index_0_1 = 2;
-      slice0winner2_best_below_0_0_choice := slice0winner1_held_0_1 when slice0winner2_best_below_0_0_is_equal else
-        slice0winner1_best_below_0_1;
+      if slice0winner2_best_below_0_0_is_equal then
+        slice0winner2_best_below_0_0_choice := slice0winner1_held_0_1;
+      else
+        slice0winner2_best_below_0_0_choice := slice0winner1_best_below_0_1;
+      end if;
       slice0winner2_best_below_0_1_is_equal := slice0winner1_best_index_0_3 = 6;
-      slice0winner2_best_below_0_1_choice := slice0winner1_held_0_5 when slice0winner2_best_below_0_1_is_equal else
-        slice0winner1_best_below_0_3;
-      slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_above_0_1_choice := slice0winner1_held_0_6 when slice0winner1_best_place_0_2 else
-        slice0winner1_best_above_0_2;
-      slice0winner2_best_second_0_0_choice := 2047 when slice0winner2_best_place_0_0 else
-        slice0winner1_best_late_cost_0_1;
-      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_but_first_0_1 when slice0winner2_best_at_end_0_0
-        else slice0winner2_best_second_0_0_choice;
-      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_place_0_0 else
-        2047;
-      slice0winner2_best_second_0_0_choice_4 := slice0winner1_best_but_last_0_0 when slice0winner2_best_at_start_0_0
-        else slice0winner2_best_second_0_0_choice_3;
-      slice0winner2_best_second_0_1_choice := 2047 when slice0winner2_best_place_0_1 else
-        slice0winner1_best_late_cost_0_3;
-      slice0winner2_best_second_0_1_choice_2 := slice0winner1_best_but_first_0_3 when slice0winner2_best_at_end_0_1
-        else slice0winner2_best_second_0_1_choice;
-      slice0winner2_best_second_0_1_choice_3 := slice0winner1_best_late_cost_0_2 when slice0winner2_best_place_0_1 else
-        2047;
-      slice0winner2_best_second_0_1_choice_4 := slice0winner1_best_but_last_0_2 when slice0winner2_best_at_start_0_1
-        else slice0winner2_best_second_0_1_choice_3;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
-      slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_below_0_0;
-      slice0winner2_best_below_0_1 <= slice0winner2_best_below_0_1_choice when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_below_0_2;
-      slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner2_best_above_0_0_choice;
-      slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner2_best_above_0_1_choice;
+      if slice0winner2_best_below_0_1_is_equal then
+        slice0winner2_best_below_0_1_choice := slice0winner1_held_0_5;
+      else
+        slice0winner2_best_below_0_1_choice := slice0winner1_best_below_0_3;
+      end if;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
+      if slice0winner1_best_place_0_2 then
+        slice0winner2_best_above_0_1_choice := slice0winner1_held_0_6;
+      else
+        slice0winner2_best_above_0_1_choice := slice0winner1_best_above_0_2;
+      end if;
+      if slice0winner2_best_place_0_0 then
+        slice0winner2_best_second_0_0_choice := 2047;
+      else
+        slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1;
+      end if;
+      if slice0winner2_best_at_end_0_0 then
+        slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_but_first_0_1;
+      else
+        slice0winner2_best_second_0_0_choice_2 := slice0winner2_best_second_0_0_choice;
+      end if;
+      if slice0winner2_best_place_0_0 then
+        slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_late_cost_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_3 := 2047;
+      end if;
+      if slice0winner2_best_at_start_0_0 then
+        slice0winner2_best_second_0_0_choice_4 := slice0winner1_best_but_last_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_4 := slice0winner2_best_second_0_0_choice_3;
+      end if;
+      if slice0winner2_best_place_0_1 then
+        slice0winner2_best_second_0_1_choice := 2047;
+      else
+        slice0winner2_best_second_0_1_choice := slice0winner1_best_late_cost_0_3;
+      end if;
+      if slice0winner2_best_at_end_0_1 then
+        slice0winner2_best_second_0_1_choice_2 := slice0winner1_best_but_first_0_3;
+      else
+        slice0winner2_best_second_0_1_choice_2 := slice0winner2_best_second_0_1_choice;
+      end if;
+      if slice0winner2_best_place_0_1 then
+        slice0winner2_best_second_0_1_choice_3 := slice0winner1_best_late_cost_0_2;
+      else
+        slice0winner2_best_second_0_1_choice_3 := 2047;
+      end if;
+      if slice0winner2_best_at_start_0_1 then
+        slice0winner2_best_second_0_1_choice_4 := slice0winner1_best_but_last_0_2;
+      else
+        slice0winner2_best_second_0_1_choice_4 := slice0winner2_best_second_0_1_choice_3;
+      end if;
       slice0winner2_best_first_0_0 <= slice0winner1_held_0_0;
       slice0winner2_best_first_0_1 <= slice0winner1_held_0_4;
       slice0winner2_best_last_0_0 <= slice0winner1_held_0_3;
@@ -1319,63 +1583,124 @@ begin
         slice0winner1_best_cost_0_2) >= 0);
       slice0winner2_best_late_cost_0_0 <= slice0winner2_best_cost_0_0;
       slice0winner2_best_late_cost_0_1 <= slice0winner2_best_cost_0_1;
-      slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_2 when
-        (slice0winner2_best_second_0_0_choice_2 - slice0winner2_best_second_0_0_choice_4) < 0 else
-        slice0winner2_best_second_0_0_choice_4;
-      slice0winner2_best_second_0_1 <= slice0winner2_best_second_0_1_choice_2 when
-        (slice0winner2_best_second_0_1_choice_2 - slice0winner2_best_second_0_1_choice_4) < 0 else
-        slice0winner2_best_second_0_1_choice_4;
-      slice0winner2_best_but_first_0_0 <= slice0winner1_best_late_cost_0_1 when (slice0winner1_best_late_cost_0_1 -
-        slice0winner1_best_but_first_0_0) < 0 else slice0winner1_best_but_first_0_0;
-      slice0winner2_best_but_first_0_1 <= slice0winner1_best_late_cost_0_3 when (slice0winner1_best_late_cost_0_3 -
-        slice0winner1_best_but_first_0_2) < 0 else slice0winner1_best_but_first_0_2;
-      slice0winner2_best_but_last_0_0 <= slice0winner1_best_but_last_0_1 when (slice0winner1_best_but_last_0_1 -
-        slice0winner1_best_late_cost_0_0) < 0 else slice0winner1_best_late_cost_0_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice;
+        slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      end if;
+      if slice0winner2_best_cost_0_1_is_less then
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
+        slice0winner2_best_below_0_1 <= slice0winner2_best_below_0_1_choice;
+        slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_3;
+      else
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+        slice0winner2_best_below_0_1 <= slice0winner1_best_below_0_2;
+        slice0winner2_best_above_0_1 <= slice0winner2_best_above_0_1_choice;
+      end if;
+      if (slice0winner2_best_second_0_0_choice_2 - slice0winner2_best_second_0_0_choice_4) < 0 then
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_2;
+      else
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_4;
+      end if;
+      if (slice0winner2_best_second_0_1_choice_2 - slice0winner2_best_second_0_1_choice_4) < 0 then
+        slice0winner2_best_second_0_1 <= slice0winner2_best_second_0_1_choice_2;
+      else
+        slice0winner2_best_second_0_1 <= slice0winner2_best_second_0_1_choice_4;
+      end if;
+      if (slice0winner1_best_late_cost_0_1 - slice0winner1_best_but_first_0_0) < 0 then
+        slice0winner2_best_but_first_0_0 <= slice0winner1_best_late_cost_0_1;
+      else
+        slice0winner2_best_but_first_0_0 <= slice0winner1_best_but_first_0_0;
+      end if;
+      if (slice0winner1_best_late_cost_0_3 - slice0winner1_best_but_first_0_2) < 0 then
+        slice0winner2_best_but_first_0_1 <= slice0winner1_best_late_cost_0_3;
+      else
+        slice0winner2_best_but_first_0_1 <= slice0winner1_best_but_first_0_2;
+      end if;
+      if (slice0winner1_best_but_last_0_1 - slice0winner1_best_late_cost_0_0) < 0 then
+        slice0winner2_best_but_last_0_0 <= slice0winner1_best_but_last_0_1;
+      else
+        slice0winner2_best_but_last_0_0 <= slice0winner1_best_late_cost_0_0;
+      end if;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
       slice0winner3_best_below_0_0_is_equal := slice0winner2_best_index_0_1 = 4;
-      slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0 when slice0winner3_best_below_0_0_is_equal
-        else slice0winner2_best_below_0_1;
+      if slice0winner3_best_below_0_0_is_equal then
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0;
+      else
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_below_0_1;
+      end if;
       slice0winner3_best_above_0_0_is_equal := slice0winner2_best_index_0_0 = 3;
-      slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1 when slice0winner3_best_above_0_0_is_equal
-        else slice0winner2_best_above_0_0;
-      slice0winner3_best_second_0_0_choice := slice0winner2_best_second_0_1 when slice0winner3_best_place_0_0 else
-        slice0winner2_best_late_cost_0_1;
-      slice0winner3_best_second_0_0_choice_2 := slice0winner2_best_but_first_0_1 when slice0winner3_best_at_end_0_0
-        else slice0winner3_best_second_0_0_choice;
-      slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_late_cost_0_0 when slice0winner3_best_place_0_0 else
-        slice0winner2_best_second_0_0;
-      slice0winner3_best_second_0_0_choice_4 := slice0winner2_best_but_last_0_0 when slice0winner3_best_at_start_0_0
-        else slice0winner3_best_second_0_0_choice_3;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_below_0_0;
-      slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner3_best_above_0_0_choice;
+      if slice0winner3_best_above_0_0_is_equal then
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1;
+      else
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_above_0_0;
+      end if;
+      if slice0winner3_best_place_0_0 then
+        slice0winner3_best_second_0_0_choice := slice0winner2_best_second_0_1;
+      else
+        slice0winner3_best_second_0_0_choice := slice0winner2_best_late_cost_0_1;
+      end if;
+      if slice0winner3_best_at_end_0_0 then
+        slice0winner3_best_second_0_0_choice_2 := slice0winner2_best_but_first_0_1;
+      else
+        slice0winner3_best_second_0_0_choice_2 := slice0winner3_best_second_0_0_choice;
+      end if;
+      if slice0winner3_best_place_0_0 then
+        slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_late_cost_0_0;
+      else
+        slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_second_0_0;
+      end if;
+      if slice0winner3_best_at_start_0_0 then
+        slice0winner3_best_second_0_0_choice_4 := slice0winner2_best_but_last_0_0;
+      else
+        slice0winner3_best_second_0_0_choice_4 := slice0winner3_best_second_0_0_choice_3;
+      end if;
       slice0winner3_best_first_0_0 <= slice0winner2_best_first_0_0;
       slice0winner3_best_place_0_0 <= slice0winner3_best_cost_0_0_is_less;
       slice0winner3_best_at_start_0_0 <= slice0winner3_best_cost_0_0_is_less and slice0winner3_best_below_0_0_is_equal;
       slice0winner3_best_at_end_0_0 <= ((slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) >= 0) and
         slice0winner3_best_above_0_0_is_equal;
       slice0winner3_best_late_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_2 when
-        (slice0winner3_best_second_0_0_choice_2 - slice0winner3_best_second_0_0_choice_4) < 0 else
-        slice0winner3_best_second_0_0_choice_4;
-      slice0winner3_best_but_first_0_0 <= slice0winner2_best_late_cost_0_1 when (slice0winner2_best_late_cost_0_1 -
-        slice0winner2_best_but_first_0_0) < 0 else slice0winner2_best_but_first_0_0;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_map_column <= slice0winner2_tag_map_column;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      if slice0winner3_best_cost_0_0_is_less then
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+        slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice;
+        slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+        slice0winner3_best_below_0_0 <= slice0winner2_best_below_0_0;
+        slice0winner3_best_above_0_0 <= slice0winner3_best_above_0_0_choice;
+      end if;
+      if (slice0winner3_best_second_0_0_choice_2 - slice0winner3_best_second_0_0_choice_4) < 0 then
+        slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_2;
+      else
+        slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_4;
+      end if;
+      if (slice0winner2_best_late_cost_0_1 - slice0winner2_best_but_first_0_0) < 0 then
+        slice0winner3_best_but_first_0_0 <= slice0winner2_best_late_cost_0_1;
+      else
+        slice0winner3_best_but_first_0_0 <= slice0winner2_best_but_first_0_0;
+      end if;
       -- slice0
       slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 8;
       slice0_best_below_0_0 <= slice0winner3_best_below_0_0;
@@ -1534,22 +1859,33 @@ begin
       slice1cost_single_0_5 <= folded(slice1cost_difference_0_5) + as_number((slice1cost_difference_0_5 < 0));
       slice1cost_single_0_6 <= folded(slice1cost_difference_0_6) + as_number((slice1cost_difference_0_6 < 0));
       slice1cost_single_0_7 <= folded(slice1cost_difference_0_7) + as_number((slice1cost_difference_0_7 < 0));
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0 + slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0);
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1 + slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1);
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2 + slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2);
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_3) +
-        slice1cost_pair_0_3 + slice1cost_single_0_3 + slice1cost_pair_1_3 + as_number(slice1cost_negative_1_3);
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_4) +
-        slice1cost_pair_0_4 + slice1cost_single_0_4 + slice1cost_pair_1_4 + as_number(slice1cost_negative_1_4);
-      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_5) +
-        slice1cost_pair_0_5 + slice1cost_single_0_5 + slice1cost_pair_1_5 + as_number(slice1cost_negative_1_5);
-      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_6) +
-        slice1cost_pair_0_6 + slice1cost_single_0_6 + slice1cost_pair_1_6 + as_number(slice1cost_negative_1_6);
-      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_7) +
-        slice1cost_pair_0_7 + slice1cost_single_0_7 + slice1cost_pair_1_7 + as_number(slice1cost_negative_1_7);
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+        slice1cost_column_0_5 <= 0;
+        slice1cost_column_0_6 <= 0;
+        slice1cost_column_0_7 <= 0;
+      else
+        slice1cost_column_0_0 <= as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0 +
+          slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0);
+        slice1cost_column_0_1 <= as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1 +
+          slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1);
+        slice1cost_column_0_2 <= as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2 +
+          slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2);
+        slice1cost_column_0_3 <= as_number(slice1cost_negative_0_3) + slice1cost_pair_0_3 + slice1cost_single_0_3 +
+          slice1cost_pair_1_3 + as_number(slice1cost_negative_1_3);
+        slice1cost_column_0_4 <= as_number(slice1cost_negative_0_4) + slice1cost_pair_0_4 + slice1cost_single_0_4 +
+          slice1cost_pair_1_4 + as_number(slice1cost_negative_1_4);
+        slice1cost_column_0_5 <= as_number(slice1cost_negative_0_5) + slice1cost_pair_0_5 + slice1cost_single_0_5 +
+          slice1cost_pair_1_5 + as_number(slice1cost_negative_1_5);
+        slice1cost_column_0_6 <= as_number(slice1cost_negative_0_6) + slice1cost_pair_0_6 + slice1cost_single_0_6 +
+          slice1cost_pair_1_6 + as_number(slice1cost_negative_1_6);
+        slice1cost_column_0_7 <= as_number(slice1cost_negative_0_7) + slice1cost_pair_0_7 + slice1cost_single_0_7 +
+          slice1cost_pair_1_7 + as_number(slice1cost_negative_1_7);
+      end if;
       if slice0cost_tag_valid then
         slice1cost_tag_first_cost <= slice0cost_tag_first_cost;
         slice1cost_tag_output_column <= slice0cost_tag_output_column;
@@ -1606,37 +1942,97 @@ begin
       slice1window_sum_0_7 <= slice1cost_column_0_7 + slice1window_partial_0_3_7;
       -- slice1other
       slice1other_cost_0_1_any := (not slice0winner1_tag_output_column) or (not slice0winner1_tag_first_column);
-      slice1other_cost_0_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_2 -
-        slice1window_sum_0_1) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_2_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_3 -
-        slice1window_sum_0_2) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_3_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_4 -
-        slice1window_sum_0_3) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_4_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_5 -
-        slice1window_sum_0_4) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_5_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_6 -
-        slice1window_sum_0_5) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_6_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_7 -
-        slice1window_sum_0_6) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_7_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_0 -
-        slice1window_sum_0_7) >= 0 else slice1other_cost_0_1_any;
+      if (slice1other_cost_0_2 - slice1window_sum_0_1) >= 0 then
+        slice1other_cost_0_1_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_1_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_0_3 - slice1window_sum_0_2) >= 0 then
+        slice1other_cost_0_2_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_2_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_0_4 - slice1window_sum_0_3) >= 0 then
+        slice1other_cost_0_3_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_3_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_0_5 - slice1window_sum_0_4) >= 0 then
+        slice1other_cost_0_4_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_4_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_0_6 - slice1window_sum_0_5) >= 0 then
+        slice1other_cost_0_5_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_5_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_0_7 - slice1window_sum_0_6) >= 0 then
+        slice1other_cost_0_6_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_6_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice0other_cost_out_0 - slice1window_sum_0_7) >= 0 then
+        slice1other_cost_0_7_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_7_choice := slice1other_cost_0_1_any;
+      end if;
       if slice0winner1_tag_valid then
-        slice1other_cost_0_1 <= slice1other_cost_0_2 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
-        slice1other_cost_0_2 <= slice1other_cost_0_3 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
-        slice1other_cost_0_3 <= slice1other_cost_0_4 when slice1other_cost_0_3_choice else slice1window_sum_0_3;
-        slice1other_cost_0_4 <= slice1other_cost_0_5 when slice1other_cost_0_4_choice else slice1window_sum_0_4;
-        slice1other_cost_0_5 <= slice1other_cost_0_6 when slice1other_cost_0_5_choice else slice1window_sum_0_5;
-        slice1other_cost_0_6 <= slice1other_cost_0_7 when slice1other_cost_0_6_choice else slice1window_sum_0_6;
-        slice1other_cost_0_7 <= slice0other_cost_out_0 when slice1other_cost_0_7_choice else slice1window_sum_0_7;
-        slice1other_winner_0_0 <= slice1other_winner_0_1 when (not slice0winner1_tag_output_column) or ((not
-          slice0winner1_tag_first_column) and ((slice1other_cost_0_1 - slice1window_sum_0_0) < 0)) else 0;
-        slice1other_winner_0_1 <= slice1other_winner_0_2 when slice1other_cost_0_1_choice else 1;
-        slice1other_winner_0_2 <= slice1other_winner_0_3 when slice1other_cost_0_2_choice else 2;
-        slice1other_winner_0_3 <= slice1other_winner_0_4 when slice1other_cost_0_3_choice else 3;
-        slice1other_winner_0_4 <= slice1other_winner_0_5 when slice1other_cost_0_4_choice else 4;
-        slice1other_winner_0_5 <= slice1other_winner_0_6 when slice1other_cost_0_5_choice else 5;
-        slice1other_winner_0_6 <= slice1other_winner_0_7 when slice1other_cost_0_6_choice else 6;
-        slice1other_winner_0_7 <= slice0other_winner_out_0 when slice1other_cost_0_7_choice else 7;
+        if slice1other_cost_0_1_choice then
+          slice1other_cost_0_1 <= slice1other_cost_0_2;
+          slice1other_winner_0_1 <= slice1other_winner_0_2;
+        else
+          slice1other_cost_0_1 <= slice1window_sum_0_1;
+          slice1other_winner_0_1 <= 1;
+        end if;
+        if slice1other_cost_0_2_choice then
+          slice1other_cost_0_2 <= slice1other_cost_0_3;
+          slice1other_winner_0_2 <= slice1other_winner_0_3;
+        else
+          slice1other_cost_0_2 <= slice1window_sum_0_2;
+          slice1other_winner_0_2 <= 2;
+        end if;
+        if slice1other_cost_0_3_choice then
+          slice1other_cost_0_3 <= slice1other_cost_0_4;
+          slice1other_winner_0_3 <= slice1other_winner_0_4;
+        else
+          slice1other_cost_0_3 <= slice1window_sum_0_3;
+          slice1other_winner_0_3 <= 3;
+        end if;
+        if slice1other_cost_0_4_choice then
+          slice1other_cost_0_4 <= slice1other_cost_0_5;
+          slice1other_winner_0_4 <= slice1other_winner_0_5;
+        else
+          slice1other_cost_0_4 <= slice1window_sum_0_4;
+          slice1other_winner_0_4 <= 4;
+        end if;
+        if slice1other_cost_0_5_choice then
+          slice1other_cost_0_5 <= slice1other_cost_0_6;
+          slice1other_winner_0_5 <= slice1other_winner_0_6;
+        else
+          slice1other_cost_0_5 <= slice1window_sum_0_5;
+          slice1other_winner_0_5 <= 5;
+        end if;
+        if slice1other_cost_0_6_choice then
+          slice1other_cost_0_6 <= slice1other_cost_0_7;
+          slice1other_winner_0_6 <= slice1other_winner_0_7;
+        else
+          slice1other_cost_0_6 <= slice1window_sum_0_6;
+          slice1other_winner_0_6 <= 6;
+        end if;
+        if slice1other_cost_0_7_choice then
+          slice1other_cost_0_7 <= slice0other_cost_out_0;
+          slice1other_winner_0_7 <= slice0other_winner_out_0;
+        else
+          slice1other_cost_0_7 <= slice1window_sum_0_7;
+          slice1other_winner_0_7 <= 7;
+        end if;
+        if (not slice0winner1_tag_output_column) or ((not slice0winner1_tag_first_column) and ((slice1other_cost_0_1 -
+          slice1window_sum_0_0) < 0)) then
+          slice1other_winner_0_0 <= slice1other_winner_0_1;
+        else
+          slice1other_winner_0_0 <= 0;
+        end if;
       end if;
       slice1other_winner_out_0 <= slice1other_winner_0_0;
       -- slice1winner1
@@ -1652,26 +2048,7 @@ begin
       slice1winner1_held_0_5 <= slice1window_sum_0_5;
       slice1winner1_held_0_6 <= slice1window_sum_0_6;
       slice1winner1_held_0_7 <= slice1window_sum_0_7;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
-      slice1winner1_best_below_0_1 <= slice1window_sum_0_2 when slice1winner1_best_cost_0_1_is_less else 0;
-      slice1winner1_best_below_0_2 <= slice1window_sum_0_4 when slice1winner1_best_cost_0_2_is_less else 0;
-      slice1winner1_best_below_0_3 <= slice1window_sum_0_6 when slice1winner1_best_cost_0_3_is_less else 0;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
-      slice1winner1_best_above_0_1 <= 0 when slice1winner1_best_cost_0_1_is_less else slice1window_sum_0_3;
-      slice1winner1_best_above_0_2 <= 0 when slice1winner1_best_cost_0_2_is_less else slice1window_sum_0_5;
-      slice1winner1_best_above_0_3 <= 0 when slice1winner1_best_cost_0_3_is_less else slice1window_sum_0_7;
       slice1winner1_best_place_0_2 <= slice1winner1_best_cost_0_2_is_less;
       slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
       slice1winner1_best_late_cost_0_1 <= slice1winner1_best_cost_0_1;
@@ -1684,51 +2061,113 @@ begin
       slice1winner1_best_but_last_0_1 <= slice1winner1_held_0_2;
       slice1winner1_best_but_last_0_2 <= slice1winner1_held_0_4;
       slice1winner1_best_but_last_0_3 <= slice1winner1_held_0_6;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+      end if;
+      if slice1winner1_best_cost_0_1_is_less then
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+        slice1winner1_best_index_0_1 <= 3;
+        slice1winner1_best_below_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_above_0_1 <= 0;
+      else
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_index_0_1 <= 2;
+        slice1winner1_best_below_0_1 <= 0;
+        slice1winner1_best_above_0_1 <= slice1window_sum_0_3;
+      end if;
+      if slice1winner1_best_cost_0_2_is_less then
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+        slice1winner1_best_index_0_2 <= 5;
+        slice1winner1_best_below_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_above_0_2 <= 0;
+      else
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_index_0_2 <= 4;
+        slice1winner1_best_below_0_2 <= 0;
+        slice1winner1_best_above_0_2 <= slice1window_sum_0_5;
+      end if;
+      if slice1winner1_best_cost_0_3_is_less then
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_7;
+        slice1winner1_best_index_0_3 <= 7;
+        slice1winner1_best_below_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_above_0_3 <= 0;
+      else
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_index_0_3 <= 6;
+        slice1winner1_best_below_0_3 <= 0;
+        slice1winner1_best_above_0_3 <= slice1window_sum_0_7;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
       slice1winner2_best_below_0_0_is_equal := slice1winner1_best_index_0_1 = 2;
-      slice1winner2_best_below_0_0_choice := slice1winner1_held_0_1 when slice1winner2_best_below_0_0_is_equal else
-        slice1winner1_best_below_0_1;
+      if slice1winner2_best_below_0_0_is_equal then
+        slice1winner2_best_below_0_0_choice := slice1winner1_held_0_1;
+      else
+        slice1winner2_best_below_0_0_choice := slice1winner1_best_below_0_1;
+      end if;
       slice1winner2_best_below_0_1_is_equal := slice1winner1_best_index_0_3 = 6;
-      slice1winner2_best_below_0_1_choice := slice1winner1_held_0_5 when slice1winner2_best_below_0_1_is_equal else
-        slice1winner1_best_below_0_3;
-      slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_above_0_1_choice := slice1winner1_held_0_6 when slice1winner1_best_place_0_2 else
-        slice1winner1_best_above_0_2;
-      slice1winner2_best_second_0_0_choice := 2047 when slice1winner2_best_place_0_0 else
-        slice1winner1_best_late_cost_0_1;
-      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_but_first_0_1 when slice1winner2_best_at_end_0_0
-        else slice1winner2_best_second_0_0_choice;
-      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_place_0_0 else
-        2047;
-      slice1winner2_best_second_0_0_choice_4 := slice1winner1_best_but_last_0_0 when slice1winner2_best_at_start_0_0
-        else slice1winner2_best_second_0_0_choice_3;
-      slice1winner2_best_second_0_1_choice := 2047 when slice1winner2_best_place_0_1 else
-        slice1winner1_best_late_cost_0_3;
-      slice1winner2_best_second_0_1_choice_2 := slice1winner1_best_but_first_0_3 when slice1winner2_best_at_end_0_1
-        else slice1winner2_best_second_0_1_choice;
-      slice1winner2_best_second_0_1_choice_3 := slice1winner1_best_late_cost_0_2 when slice1winner2_best_place_0_1 else
-        2047;
-      slice1winner2_best_second_0_1_choice_4 := slice1winner1_best_but_last_0_2 when slice1winner2_best_at_start_0_1
-        else slice1winner2_best_second_0_1_choice_3;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_index_0_2;
-      slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_below_0_0;
-      slice1winner2_best_below_0_1 <= slice1winner2_best_below_0_1_choice when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_below_0_2;
-      slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner2_best_above_0_0_choice;
-      slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner2_best_above_0_1_choice;
+      if slice1winner2_best_below_0_1_is_equal then
+        slice1winner2_best_below_0_1_choice := slice1winner1_held_0_5;
+      else
+        slice1winner2_best_below_0_1_choice := slice1winner1_best_below_0_3;
+      end if;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
+      if slice1winner1_best_place_0_2 then
+        slice1winner2_best_above_0_1_choice := slice1winner1_held_0_6;
+      else
+        slice1winner2_best_above_0_1_choice := slice1winner1_best_above_0_2;
+      end if;
+      if slice1winner2_best_place_0_0 then
+        slice1winner2_best_second_0_0_choice := 2047;
+      else
+        slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1;
+      end if;
+      if slice1winner2_best_at_end_0_0 then
+        slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_but_first_0_1;
+      else
+        slice1winner2_best_second_0_0_choice_2 := slice1winner2_best_second_0_0_choice;
+      end if;
+      if slice1winner2_best_place_0_0 then
+        slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_late_cost_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_3 := 2047;
+      end if;
+      if slice1winner2_best_at_start_0_0 then
+        slice1winner2_best_second_0_0_choice_4 := slice1winner1_best_but_last_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_4 := slice1winner2_best_second_0_0_choice_3;
+      end if;
+      if slice1winner2_best_place_0_1 then
+        slice1winner2_best_second_0_1_choice := 2047;
+      else
+        slice1winner2_best_second_0_1_choice := slice1winner1_best_late_cost_0_3;
+      end if;
+      if slice1winner2_best_at_end_0_1 then
+        slice1winner2_best_second_0_1_choice_2 := slice1winner1_best_but_first_0_3;
+      else
+        slice1winner2_best_second_0_1_choice_2 := slice1winner2_best_second_0_1_choice;
+      end if;
+      if slice1winner2_best_place_0_1 then
+        slice1winner2_best_second_0_1_choice_3 := slice1winner1_best_late_cost_0_2;
+      else
+        slice1winner2_best_second_0_1_choice_3 := 2047;
+      end if;
+      if slice1winner2_best_at_start_0_1 then
+        slice1winner2_best_second_0_1_choice_4 := slice1winner1_best_but_last_0_2;
+      else
+        slice1winner2_best_second_0_1_choice_4 := slice1winner2_best_second_0_1_choice_3;
+      end if;
       slice1winner2_best_first_0_1 <= slice1winner1_held_0_4;
       slice1winner2_best_last_0_0 <= slice1winner1_held_0_3;
       slice1winner2_best_last_0_1 <= slice1winner1_held_0_7;
@@ -1742,99 +2181,205 @@ begin
         slice1winner1_best_cost_0_2) >= 0);
       slice1winner2_best_late_cost_0_0 <= slice1winner2_best_cost_0_0;
       slice1winner2_best_late_cost_0_1 <= slice1winner2_best_cost_0_1;
-      slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_2 when
-        (slice1winner2_best_second_0_0_choice_2 - slice1winner2_best_second_0_0_choice_4) < 0 else
-        slice1winner2_best_second_0_0_choice_4;
-      slice1winner2_best_second_0_1 <= slice1winner2_best_second_0_1_choice_2 when
-        (slice1winner2_best_second_0_1_choice_2 - slice1winner2_best_second_0_1_choice_4) < 0 else
-        slice1winner2_best_second_0_1_choice_4;
-      slice1winner2_best_but_first_0_1 <= slice1winner1_best_late_cost_0_3 when (slice1winner1_best_late_cost_0_3 -
-        slice1winner1_best_but_first_0_2) < 0 else slice1winner1_best_but_first_0_2;
-      slice1winner2_best_but_last_0_0 <= slice1winner1_best_but_last_0_1 when (slice1winner1_best_but_last_0_1 -
-        slice1winner1_best_late_cost_0_0) < 0 else slice1winner1_best_late_cost_0_0;
-      slice1winner2_best_but_last_0_1 <= slice1winner1_best_but_last_0_3 when (slice1winner1_best_but_last_0_3 -
-        slice1winner1_best_late_cost_0_2) < 0 else slice1winner1_best_late_cost_0_2;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice;
+        slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      end if;
+      if slice1winner2_best_cost_0_1_is_less then
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
+        slice1winner2_best_below_0_1 <= slice1winner2_best_below_0_1_choice;
+        slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_3;
+      else
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+        slice1winner2_best_below_0_1 <= slice1winner1_best_below_0_2;
+        slice1winner2_best_above_0_1 <= slice1winner2_best_above_0_1_choice;
+      end if;
+      if (slice1winner2_best_second_0_0_choice_2 - slice1winner2_best_second_0_0_choice_4) < 0 then
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_2;
+      else
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_4;
+      end if;
+      if (slice1winner2_best_second_0_1_choice_2 - slice1winner2_best_second_0_1_choice_4) < 0 then
+        slice1winner2_best_second_0_1 <= slice1winner2_best_second_0_1_choice_2;
+      else
+        slice1winner2_best_second_0_1 <= slice1winner2_best_second_0_1_choice_4;
+      end if;
+      if (slice1winner1_best_late_cost_0_3 - slice1winner1_best_but_first_0_2) < 0 then
+        slice1winner2_best_but_first_0_1 <= slice1winner1_best_late_cost_0_3;
+      else
+        slice1winner2_best_but_first_0_1 <= slice1winner1_best_but_first_0_2;
+      end if;
+      if (slice1winner1_best_but_last_0_1 - slice1winner1_best_late_cost_0_0) < 0 then
+        slice1winner2_best_but_last_0_0 <= slice1winner1_best_but_last_0_1;
+      else
+        slice1winner2_best_but_last_0_0 <= slice1winner1_best_late_cost_0_0;
+      end if;
+      if (slice1winner1_best_but_last_0_3 - slice1winner1_best_late_cost_0_2) < 0 then
+        slice1winner2_best_but_last_0_1 <= slice1winner1_best_but_last_0_3;
+      else
+        slice1winner2_best_but_last_0_1 <= slice1winner1_best_late_cost_0_2;
+      end if;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
       slice1winner3_best_below_0_0_is_equal := slice1winner2_best_index_0_1 = 4;
-      slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0 when slice1winner3_best_below_0_0_is_equal
-        else slice1winner2_best_below_0_1;
+      if slice1winner3_best_below_0_0_is_equal then
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0;
+      else
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_below_0_1;
+      end if;
       slice1winner3_best_above_0_0_is_equal := slice1winner2_best_index_0_0 = 3;
-      slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1 when slice1winner3_best_above_0_0_is_equal
-        else slice1winner2_best_above_0_0;
-      slice1winner3_best_second_0_0_choice := slice1winner2_best_second_0_1 when slice1winner3_best_place_0_0 else
-        slice1winner2_best_late_cost_0_1;
-      slice1winner3_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_1 when slice1winner3_best_at_end_0_0
-        else slice1winner3_best_second_0_0_choice;
-      slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0 when slice1winner3_best_place_0_0 else
-        slice1winner2_best_second_0_0;
-      slice1winner3_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0 when slice1winner3_best_at_start_0_0
-        else slice1winner3_best_second_0_0_choice_3;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
-      slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_below_0_0;
-      slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner3_best_above_0_0_choice;
+      if slice1winner3_best_above_0_0_is_equal then
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1;
+      else
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_above_0_0;
+      end if;
+      if slice1winner3_best_place_0_0 then
+        slice1winner3_best_second_0_0_choice := slice1winner2_best_second_0_1;
+      else
+        slice1winner3_best_second_0_0_choice := slice1winner2_best_late_cost_0_1;
+      end if;
+      if slice1winner3_best_at_end_0_0 then
+        slice1winner3_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_1;
+      else
+        slice1winner3_best_second_0_0_choice_2 := slice1winner3_best_second_0_0_choice;
+      end if;
+      if slice1winner3_best_place_0_0 then
+        slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0;
+      else
+        slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_second_0_0;
+      end if;
+      if slice1winner3_best_at_start_0_0 then
+        slice1winner3_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0;
+      else
+        slice1winner3_best_second_0_0_choice_4 := slice1winner3_best_second_0_0_choice_3;
+      end if;
       slice1winner3_best_last_0_0 <= slice1winner2_best_last_0_1;
       slice1winner3_best_place_0_0 <= slice1winner3_best_cost_0_0_is_less;
       slice1winner3_best_at_start_0_0 <= slice1winner3_best_cost_0_0_is_less and slice1winner3_best_below_0_0_is_equal;
       slice1winner3_best_at_end_0_0 <= ((slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) >= 0) and
         slice1winner3_best_above_0_0_is_equal;
       slice1winner3_best_late_cost_0_0 <= slice1winner3_best_cost_0_0;
-      slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_2 when
-        (slice1winner3_best_second_0_0_choice_2 - slice1winner3_best_second_0_0_choice_4) < 0 else
-        slice1winner3_best_second_0_0_choice_4;
-      slice1winner3_best_but_last_0_0 <= slice1winner2_best_but_last_0_1 when (slice1winner2_best_but_last_0_1 -
-        slice1winner2_best_late_cost_0_0) < 0 else slice1winner2_best_late_cost_0_0;
+      if slice1winner3_best_cost_0_0_is_less then
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
+        slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice;
+        slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1;
+      else
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
+        slice1winner3_best_below_0_0 <= slice1winner2_best_below_0_0;
+        slice1winner3_best_above_0_0 <= slice1winner3_best_above_0_0_choice;
+      end if;
+      if (slice1winner3_best_second_0_0_choice_2 - slice1winner3_best_second_0_0_choice_4) < 0 then
+        slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_2;
+      else
+        slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_4;
+      end if;
+      if (slice1winner2_best_but_last_0_1 - slice1winner2_best_late_cost_0_0) < 0 then
+        slice1winner3_best_but_last_0_0 <= slice1winner2_best_but_last_0_1;
+      else
+        slice1winner3_best_but_last_0_0 <= slice1winner2_best_late_cost_0_0;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0winner3_best_late_cost_0_0 - slice1winner3_best_cost_0_0) < 0;
       slice1_best_below_0_0_is_equal := slice0_best_index_0_0 = 8;
-      slice1_best_below_0_0_choice := slice1winner3_best_last_0_0 when slice1_best_below_0_0_is_equal else
-        slice0_best_below_0_0;
+      if slice1_best_below_0_0_is_equal then
+        slice1_best_below_0_0_choice := slice1winner3_best_last_0_0;
+      else
+        slice1_best_below_0_0_choice := slice0_best_below_0_0;
+      end if;
       slice1_best_above_0_0_is_equal := slice1winner3_best_index_0_0 = 7;
-      slice1_best_above_0_0_choice := slice0_best_first_0_0 when slice1_best_above_0_0_is_equal else
-        slice1winner3_best_above_0_0;
-      slice1_best_second_0_0_choice := slice0_best_second_0_0 when slice1_best_place_0_0 else slice0_best_late_cost_0_0;
-      slice1_best_second_0_0_choice_2 := slice0_best_but_first_0_0 when slice1_best_at_end_0_0 else
-        slice1_best_second_0_0_choice;
-      slice1_best_second_0_0_choice_3 := slice1winner3_best_late_cost_0_0 when slice1_best_place_0_0 else
-        slice1winner3_best_second_0_0;
-      slice1_best_second_0_0_choice_4 := slice1winner3_best_but_last_0_0 when slice1_best_at_start_0_0 else
-        slice1_best_second_0_0_choice_3;
-      slice1_best_cost_0_0 <= slice0winner3_best_late_cost_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner3_best_cost_0_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner3_best_index_0_0;
-      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
-        slice1winner3_best_below_0_0;
-      slice1_best_above_0_0 <= slice0_best_above_0_0 when slice1_best_cost_0_0_is_less else
-        slice1_best_above_0_0_choice;
+      if slice1_best_above_0_0_is_equal then
+        slice1_best_above_0_0_choice := slice0_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice1winner3_best_above_0_0;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice := slice0_best_second_0_0;
+      else
+        slice1_best_second_0_0_choice := slice0_best_late_cost_0_0;
+      end if;
+      if slice1_best_at_end_0_0 then
+        slice1_best_second_0_0_choice_2 := slice0_best_but_first_0_0;
+      else
+        slice1_best_second_0_0_choice_2 := slice1_best_second_0_0_choice;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice_3 := slice1winner3_best_late_cost_0_0;
+      else
+        slice1_best_second_0_0_choice_3 := slice1winner3_best_second_0_0;
+      end if;
+      if slice1_best_at_start_0_0 then
+        slice1_best_second_0_0_choice_4 := slice1winner3_best_but_last_0_0;
+      else
+        slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3;
+      end if;
       slice1_best_place_0_0 <= slice1_best_cost_0_0_is_less;
       slice1_best_at_start_0_0 <= slice1_best_below_0_0_is_equal and slice1_best_cost_0_0_is_less;
       slice1_best_at_end_0_0 <= ((slice0winner3_best_late_cost_0_0 - slice1winner3_best_cost_0_0) >= 0) and
         slice1_best_above_0_0_is_equal;
       slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
-      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
-        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0winner3_best_late_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice0_best_above_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+        slice1_best_index_0_0 <= slice1winner3_best_index_0_0;
+        slice1_best_below_0_0 <= slice1winner3_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      end if;
+      if (slice1_best_second_0_0_choice_2 - slice1_best_second_0_0_choice_4) < 0 then
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2;
+      else
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_4;
+      end if;
       -- texture
-      texture_taps_search_0_0 <= 31 when rows_inside_0 else 0;
-      texture_taps_search_1_0 <= 31 when rows_inside_1 else 0;
-      texture_taps_search_2_0 <= 31 when rows_inside_2 else 0;
-      texture_taps_search_3_0 <= 31 when rows_inside_3 else 0;
-      texture_taps_search_4_0 <= 31 when rows_inside_4 else 0;
       texture_passes_0_0 <= 59 < texturewindow_sum_0_0;
       texture_passes_1_0 <= texture_passes_0_0;
       texture_passes_2_0 <= texture_passes_1_0;
       texture_passes_3_0 <= texture_passes_2_0;
       texture_passes_4_0 <= texture_passes_3_0;
+      if rows_inside_0 then
+        texture_taps_search_0_0 <= 31;
+      else
+        texture_taps_search_0_0 <= 0;
+      end if;
+      if rows_inside_1 then
+        texture_taps_search_1_0 <= 31;
+      else
+        texture_taps_search_1_0 <= 0;
+      end if;
+      if rows_inside_2 then
+        texture_taps_search_2_0 <= 31;
+      else
+        texture_taps_search_2_0 <= 0;
+      end if;
+      if rows_inside_3 then
+        texture_taps_search_3_0 <= 31;
+      else
+        texture_taps_search_3_0 <= 0;
+      end if;
+      if rows_inside_4 then
+        texture_taps_search_4_0 <= 31;
+      else
+        texture_taps_search_4_0 <= 0;
+      end if;
       -- texturecost
       texturecost_difference_0_0 <= texture_taps_search_0_0 - slice0shift_reference_0;
       texturecost_difference_1_0 <= texture_taps_search_1_0 - slice0shift_reference_1;
@@ -1848,8 +2393,12 @@ begin
       texturecost_negative_0_0 <= texturecost_difference_2_0 < 0;
       texturecost_negative_1_0 <= texturecost_difference_4_0 < 0;
       texturecost_single_0_0 <= folded(texturecost_difference_0_0) + as_number((texturecost_difference_0_0 < 0));
-      texturecost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(texturecost_negative_0_0) +
-        texturecost_pair_0_0 + texturecost_single_0_0 + texturecost_pair_1_0 + as_number(texturecost_negative_1_0);
+      if slice0cost_pair_tag_border_column then
+        texturecost_column_0_0 <= 0;
+      else
+        texturecost_column_0_0 <= as_number(texturecost_negative_0_0) + texturecost_pair_0_0 + texturecost_single_0_0 +
+          texturecost_pair_1_0 + as_number(texturecost_negative_1_0);
+      end if;
       -- texturewindow
       if slice0cost_tag_valid then
         texturewindow_partial_0_0_0 <= texturecost_column_0_0;
@@ -1867,7 +2416,11 @@ begin
       refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 4096) - refinement_divisor_5_0;
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 4096) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -1895,8 +2448,6 @@ begin
       refinement_passed_0_0 <= texture_passes_4_0;
       refinement_passed_1_0 <= refinement_passed_0_0;
       refinement_passed_2_0 <= refinement_passed_1_0;
-      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_0 else refinement_passed_2_0 and
-        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
       refinement_passed_6_0 <= refinement_passed_5_0;
@@ -1971,26 +2522,10 @@ begin
       refinement_lowest_0 <= slice1_best_late_cost_0_0;
       refinement_scaled_gap_0 <= (((refinement_gap_0 + (refinement_gap_0 / 4)) * 4) + (refinement_gap_0 mod 4)) * 4;
       refinement_scaled_cost_0 <= ((refinement_lowest_0 + (refinement_lowest_0 / 2)) * 2) + (refinement_lowest_0 mod 2);
-      refinement_below_0 <= slice1_best_above_0_0 when slice1_best_index_0_0 = 0 else slice1_best_below_0_0;
-      refinement_above_0 <= slice1_best_below_0_0 when slice1_best_index_0_0 = 15 else slice1_best_above_0_0;
       refinement_u_0 <= (refinement_below_0 - slice1_best_late_cost_0_0) mod 2048;
       refinement_v_0 <= (refinement_above_0 - slice1_best_late_cost_0_0) mod 2048;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0) mod 2048;
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 2048 when
-        (refinement_remainder_1_0_difference / 4096) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 2048 when
-        (refinement_remainder_2_0_difference / 4096) = 1 else (refinement_remainder_1_0 mod 1024) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 2048 when
-        (refinement_remainder_3_0_difference / 4096) = 1 else (refinement_remainder_2_0 mod 1024) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 2048 when
-        (refinement_remainder_4_0_difference / 4096) = 1 else (refinement_remainder_3_0 mod 1024) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 2048 when
-        (refinement_remainder_5_0_difference / 4096) = 1 else (refinement_remainder_4_0 mod 1024) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 2048 when
-        (refinement_remainder_6_0_difference / 4096) = 1 else (refinement_remainder_5_0 mod 1024) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 2048 when
-        (refinement_remainder_7_0_difference / 4096) = 1 else (refinement_remainder_6_0 mod 1024) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 11)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 11))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
@@ -2012,23 +2547,82 @@ begin
       refinement_negative_7_0 <= refinement_negative_6_0;
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 4) * 8) + refinement_fraction_0_choice_2;
+      if refinement_alone_1_0 then
+        refinement_passed_3_0 <= refinement_passed_2_0;
+      else
+        refinement_passed_3_0 <= refinement_passed_2_0 and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      end if;
+      if slice1_best_index_0_0 = 0 then
+        refinement_below_0 <= slice1_best_above_0_0;
+      else
+        refinement_below_0 <= slice1_best_below_0_0;
+      end if;
+      if slice1_best_index_0_0 = 15 then
+        refinement_above_0 <= slice1_best_below_0_0;
+      else
+        refinement_above_0 <= slice1_best_above_0_0;
+      end if;
+      if (refinement_remainder_1_0_difference / 4096) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 2048;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_2_0_difference / 4096) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 2048;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 1024) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 4096) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 2048;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 1024) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 4096) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 2048;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 1024) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 4096) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 2048;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 1024) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 4096) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 2048;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 1024) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 4096) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 2048;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 1024) * 2;
+      end if;
       -- leftright
       leftright_holds_winners_all := (leftright_ring_read_address /= 0) and (not leftright_holds_winners);
       leftright_address_0_value := to_integer(leftright_held_0(7 downto 4));
       leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
       leftright_checked_tag_row_start_is_equal := map_counter_group = 64;
-      leftright_checked_tag_row_start_choice := (map_counter_column /= 303) and leftright_checked_tag_row_start when
-        leftright_checked_tag_row_start_is_equal else leftright_checked_tag_row_start;
-      leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start when map_counter_group = 65 else
-        leftright_checked_tag_row_start_choice;
+      if leftright_checked_tag_row_start_is_equal then
+        leftright_checked_tag_row_start_choice := (map_counter_column /= 303) and leftright_checked_tag_row_start;
+      else
+        leftright_checked_tag_row_start_choice := leftright_checked_tag_row_start;
+      end if;
+      if map_counter_group = 65 then
+        leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start;
+      else
+        leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start_choice;
+      end if;
       leftright_checked_tag_row_start_is_equal_2 := map_counter_group = 63;
       leftright_checked_tag_row_start_is_equal_3 := map_counter_column = 303;
       leftright_checked_tag_row_start_all := leftright_checked_tag_row_start_is_equal_2 and
         leftright_checked_tag_row_start_is_equal_3;
-      leftright_checked_tag_row_start_choice_3 := leftright_checked_tag_row_start_all or (not
-        leftright_checked_tag_start_of_frame) when leftright_checked_tag_row_start_choice_2 else
-        leftright_checked_tag_row_start_is_equal_2 and leftright_checked_tag_row_start_is_equal_3 and
-        leftright_checked_tag_start_of_frame;
+      if leftright_checked_tag_row_start_choice_2 then
+        leftright_checked_tag_row_start_choice_3 := leftright_checked_tag_row_start_all or (not
+          leftright_checked_tag_start_of_frame);
+      else
+        leftright_checked_tag_row_start_choice_3 := leftright_checked_tag_row_start_is_equal_2 and
+          leftright_checked_tag_row_start_is_equal_3 and leftright_checked_tag_start_of_frame;
+      end if;
       leftright_checked_tag_row_start_all_2 := leftright_checked_tag_valid and leftright_checked_tag_map_column;
       leftright_other_1_0 <= slice1other_winner_out_0;
       leftright_other_2_0 <= leftright_other_1_0;
@@ -2044,8 +2638,6 @@ begin
       leftright_other_12_0 <= leftright_other_11_0;
       leftright_other_13_0 <= leftright_other_12_0;
       leftright_other_14_0 <= leftright_other_13_0;
-      leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners when
-        leftright_holds_winners_all else refinement_tag_11_valid or leftright_holds_winners;
       leftright_position <= (leftright_position + as_number(refinement_tag_11_valid)) mod 32;
       leftright_held_position <= leftright_position;
       leftright_held_valid <= (not leftright_holds_winners_all) and refinement_tag_11_valid;
@@ -2069,28 +2661,52 @@ begin
       leftright_checked_passed_0 <= leftright_answered_passed_0 and (leftright_checked_passed_0_difference >= 0) and
         (leftright_checked_passed_0_difference < 3);
       leftright_checked_tag_valid <= leftright_answered_tag_valid;
-      leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_2 when
-        leftright_checked_tag_row_start_choice_3 else leftright_checked_tag_row_start and ((not
-        leftright_checked_tag_valid) or (not leftright_checked_tag_map_column));
       leftright_checked_tag_map_column <= leftright_answered_tag_map_column;
       leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
       leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if leftright_holds_winners_all then
+        leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners;
+      else
+        leftright_holds_winners <= refinement_tag_11_valid or leftright_holds_winners;
+      end if;
+      if leftright_checked_tag_row_start_choice_3 then
+        leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_2;
+      else
+        leftright_checked_tag_row_start <= leftright_checked_tag_row_start and ((not leftright_checked_tag_valid) or
+          (not leftright_checked_tag_map_column));
+      end if;
       if refinement_tag_11_valid then
-        leftright_ring_read_address <= 0 when leftright_ring_read_address = 15 else (leftright_ring_read_address + 1)
-          mod 16;
         leftright_ring_write_address <= leftright_ring_read_address;
+        if leftright_ring_read_address = 15 then
+          leftright_ring_read_address <= 0;
+        else
+          leftright_ring_read_address <= (leftright_ring_read_address + 1) mod 16;
+        end if;
       end if;
       -- map
       if leftright_checked_tag_row_start_all_2 then
-        map_counter_column <= 0 when leftright_checked_tag_start_of_frame or leftright_checked_tag_row_start_is_equal_3
-          else (map_counter_column + 1) mod 512;
+        if leftright_checked_tag_start_of_frame or leftright_checked_tag_row_start_is_equal_3 then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 512;
+        end if;
       end if;
-      map_counter_group_choice := 1 when leftright_checked_tag_row_start_is_equal and leftright_checked_tag_row_start
-        else (map_counter_group + 1) mod 128;
-      map_counter_group_choice_2 := map_counter_group_choice when (map_counter_group /= 65) and
-        leftright_checked_tag_row_start_is_equal_3 and leftright_checked_tag_valid and leftright_checked_tag_map_column
-        else map_counter_group;
-      map_line_ended_choice := leftright_checked_tag_map_column when leftright_checked_tag_valid else map_line_ended;
+      if leftright_checked_tag_row_start_is_equal and leftright_checked_tag_row_start then
+        map_counter_group_choice := 1;
+      else
+        map_counter_group_choice := (map_counter_group + 1) mod 128;
+      end if;
+      if (map_counter_group /= 65) and leftright_checked_tag_row_start_is_equal_3 and leftright_checked_tag_valid and
+        leftright_checked_tag_map_column then
+        map_counter_group_choice_2 := map_counter_group_choice;
+      else
+        map_counter_group_choice_2 := map_counter_group;
+      end if;
+      if leftright_checked_tag_valid then
+        map_line_ended_choice := leftright_checked_tag_map_column;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
@@ -2102,8 +2718,16 @@ begin
       else
         map_of_column_0_c_choice := map_column_2 / 2;
       end if;
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
       if map_of_column_0_c_below_b then
         map_sorted_middle_0_choice := map_of_column_0_b;
       else
@@ -2125,31 +2749,76 @@ begin
         map_sorted_high_0_choice_2 := map_of_column_0_c;
       end if;
       map_window_complete_is_equal := map_sorted_column = 0;
-      map_window_complete_choice := map_sorted_behind when map_window_complete_is_equal else map_sorted_arrives or
-        map_sorted_behind;
-      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
-        map_median_middle_0_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_counter_group <= as_number(leftright_checked_tag_row_start_all) * 64 when
-        leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_map_column else
-        map_counter_group_choice_2;
+      if map_window_complete_is_equal then
+        map_window_complete_choice := map_sorted_behind;
+      else
+        map_window_complete_choice := map_sorted_arrives or map_sorted_behind;
+      end if;
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice := map_of_low_0_a;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice_2 := map_of_low_0_b;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_2 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_4 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
       map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
       map_newest_0 <= ((((((((leftright_checked_disparity_0 + 4095) mod 2048) * 2) + (leftright_checked_fraction_0 / 8)
         + 1) mod 4096) * 8) + (leftright_checked_fraction_0 mod 8)) * 2) + as_number(leftright_checked_passed_0);
       map_arrives <= leftright_checked_tag_row_start_all_2;
       map_behind <= map_line_ended and leftright_checked_tag_valid;
-      map_line_ended <= map_line_ended_choice when leftright_checked_tag_end_of_line else map_line_ended and (not
-        leftright_checked_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -2178,12 +2847,6 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
-        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
       map_window_complete <= map_sorted_output and map_window_complete_choice;
       map_window_first <= map_sorted_top and (map_sorted_column = 1) and map_sorted_arrives;
       map_window_last <= map_sorted_behind;
@@ -2205,10 +2868,6 @@ begin
       map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
-        map_median_middle_0_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
@@ -2227,30 +2886,91 @@ begin
       map_waiting_passed_0_0 <= map_passed_1_0;
       map_waiting_passed_1_0 <= map_waiting_passed_0_0;
       map_waiting_passed_2_0 <= map_waiting_passed_1_0;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_map_column then
+        map_counter_group <= as_number(leftright_checked_tag_row_start_all) * 64;
+      else
+        map_counter_group <= map_counter_group_choice_2;
+      end if;
+      if leftright_checked_tag_end_of_line then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= map_line_ended and (not leftright_checked_tag_valid);
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_passed_0_0 then
+        map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind;
+      else
+        map_passed_1_0 <= map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      end if;
+      if map_of_low_0_b_below_a then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
         map_at_column <= to_integer(other_1(8 downto 0));
       end if;
-      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_0_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
       map_low_1_0_all := map_window_complete_is_equal and map_sorted_arrives;
-      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_0_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
       map_low_0_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_0_all then
         map_low_0_0 <= map_low_0_0_choice;
-        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
         map_middle_0_0 <= map_middle_0_0_choice;
-        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
         map_high_0_0 <= map_high_0_0_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
+        if map_low_1_0_all then
+          map_low_1_0 <= map_low_0_0_choice;
+          map_middle_1_0 <= map_middle_0_0_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+        else
+          map_low_1_0 <= map_low_0_0;
+          map_middle_1_0 <= map_middle_0_0;
+          map_high_1_0 <= map_high_0_0;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;

@@ -347,62 +347,92 @@ architecture rtl of stereo_core_study_left_right is
   signal leftright_position, leftright_held_position, leftright_address_0 : natural range 0 to 31;
   signal leftright_held_0 : unsigned(12 downto 0);
   signal leftright_found_0 : unsigned(3 downto 0);
+  signal leftright_found_0_memory_read_enable : boolean;
+  signal leftright_found_0_memory_read_address : unsigned(4 downto 0);
+  signal leftright_found_0_memory_write_address : unsigned(4 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_read_enable : boolean;
+  signal leftright_held_0_memory_read_address : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_address : unsigned(3 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(12 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(3 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(3 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(leftright_checked_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(leftright_checked_passed_0), 1));
   disparity_valid <= as_bit(leftright_checked_tag_valid and leftright_checked_tag_output_column);
   disparity_start_of_frame <= as_bit(leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_output_column);
   disparity_end_of_line <= as_bit(leftright_checked_tag_end_of_line and leftright_checked_tag_valid and leftright_checked_tag_output_column);
 
+  leftright_found_0_memory_read_enable <= true;
+  leftright_found_0_memory_read_address <= to_unsigned(leftright_address_0, 5);
+  leftright_found_0_memory_write_address <= to_unsigned(leftright_position, 5);
   leftright_found_0_memory_write_data <= to_unsigned(leftright_other_3_0, 4);
   leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 4)
+    generic map (depth => 32, width => 4, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+      clock => clock, read_enable => leftright_found_0_memory_read_enable,
+      read_address => leftright_found_0_memory_read_address, read_data => leftright_found_0,
+      write_address => leftright_found_0_memory_write_address, write_data => leftright_found_0_memory_write_data);
 
+  leftright_held_0_memory_read_enable <= true;
+  leftright_held_0_memory_read_address <= to_unsigned(leftright_ring_read_address, 4);
+  leftright_held_0_memory_write_address <= to_unsigned(leftright_ring_write_address, 4);
   leftright_held_0_memory_write_data <= to_unsigned(1, 1) & to_unsigned(slice1_best_index_0_0, 8) & to_unsigned(as_number(slice1_best_tag_end_of_line), 1) & to_unsigned(as_number(slice1_best_tag_start_of_frame), 1) & to_unsigned(as_number(slice1_best_tag_output_column), 1) & to_unsigned(as_number(slice1_best_tag_map_column), 1);
   leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 13)
+    generic map (depth => 16, width => 13, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+      clock => clock, read_enable => leftright_held_0_memory_read_enable,
+      read_address => leftright_held_0_memory_read_address, read_data => leftright_held_0,
+      write_address => leftright_held_0_memory_write_address, write_data => leftright_held_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 4);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 4);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 8)
+    generic map (depth => 16, width => 8, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
@@ -430,30 +460,55 @@ begin
       raster_place_group_is_equal_2 := raster_place_column = 319;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
       raster_place_group_is_equal_3 := raster_place_group = 65;
-      raster_place_group_choice := 2 when raster_place_group_is_equal_3 and raster_place_next_frame else
-        (raster_place_group + 1) mod 128;
-      raster_place_group_choice_2 := raster_place_group_choice when (raster_place_group /= 66) and
-        raster_place_group_is_equal_2 and in_valid else raster_place_group;
+      if raster_place_group_is_equal_3 and raster_place_next_frame then
+        raster_place_group_choice := 2;
+      else
+        raster_place_group_choice := (raster_place_group + 1) mod 128;
+      end if;
+      if (raster_place_group /= 66) and raster_place_group_is_equal_2 and in_valid then
+        raster_place_group_choice_2 := raster_place_group_choice;
+      else
+        raster_place_group_choice_2 := raster_place_group;
+      end if;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= as_number(raster_place_group_all) * 64 when in_start_of_frame and in_valid else
-        raster_place_group_choice_2;
-      raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame when
-        raster_place_group_is_equal_3 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame when raster_place_group = 66 else
-        raster_place_next_frame_choice;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= as_number(raster_place_group_all) * 64;
+      else
+        raster_place_group <= raster_place_group_choice_2;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame;
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group = 66 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal_2 or in_start_of_frame else (raster_place_column + 1)
-          mod 512;
-        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame;
+        if raster_place_group_is_equal_2 or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 512;
+        end if;
+        if raster_place_next_frame_choice_2 then
+          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
+        else
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 15 else (delay_ring_read_address + 1) mod 16;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 15 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 16;
+        end if;
       end if;
       delay_row_inside_2_is_less := (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2))
         < 64;
@@ -508,16 +563,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8)) when rows_ready_inside_1 else 0;
-      rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16)) when rows_ready_inside_2 else 0;
-      rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24)) when rows_ready_inside_3 else 0;
-      rows_search_4 <= rows_search_rows_ready_newest_0 when rows_ready_inside_4 else 0;
-      rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8)) when rows_ready_inside_1 else 0;
-      rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16)) when rows_ready_inside_2 else 0;
-      rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24)) when rows_ready_inside_3 else 0;
-      rows_reference_4 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_4 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_first_cost <= rows_ready_tag_first_cost;
@@ -525,6 +570,41 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
+        rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8));
+        rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8));
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16));
+        rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16));
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
+      if rows_ready_inside_3 then
+        rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24));
+        rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24));
+      else
+        rows_search_3 <= 0;
+        rows_reference_3 <= 0;
+      end if;
+      if rows_ready_inside_4 then
+        rows_search_4 <= rows_search_rows_ready_newest_0;
+        rows_reference_4 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_4 <= 0;
+        rows_reference_4 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= to_unsigned(rows_search_rows_ready_newest_0, 8) &
           rows_search_rows_ready_words_0(31 downto 8);
@@ -703,22 +783,6 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0 + slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0);
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1 + slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1);
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2 + slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2);
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_3) +
-        slice0cost_pair_0_3 + slice0cost_single_0_3 + slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3);
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_4) +
-        slice0cost_pair_0_4 + slice0cost_single_0_4 + slice0cost_pair_1_4 + as_number(slice0cost_negative_1_4);
-      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_5) +
-        slice0cost_pair_0_5 + slice0cost_single_0_5 + slice0cost_pair_1_5 + as_number(slice0cost_negative_1_5);
-      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_6) +
-        slice0cost_pair_0_6 + slice0cost_single_0_6 + slice0cost_pair_1_6 + as_number(slice0cost_negative_1_6);
-      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_7) +
-        slice0cost_pair_0_7 + slice0cost_single_0_7 + slice0cost_pair_1_7 + as_number(slice0cost_negative_1_7);
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
@@ -726,6 +790,33 @@ begin
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+        slice0cost_column_0_5 <= 0;
+        slice0cost_column_0_6 <= 0;
+        slice0cost_column_0_7 <= 0;
+      else
+        slice0cost_column_0_0 <= as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0 +
+          slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0);
+        slice0cost_column_0_1 <= as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1 +
+          slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1);
+        slice0cost_column_0_2 <= as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2 +
+          slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2);
+        slice0cost_column_0_3 <= as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 + slice0cost_single_0_3 +
+          slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3);
+        slice0cost_column_0_4 <= as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 + slice0cost_single_0_4 +
+          slice0cost_pair_1_4 + as_number(slice0cost_negative_1_4);
+        slice0cost_column_0_5 <= as_number(slice0cost_negative_0_5) + slice0cost_pair_0_5 + slice0cost_single_0_5 +
+          slice0cost_pair_1_5 + as_number(slice0cost_negative_1_5);
+        slice0cost_column_0_6 <= as_number(slice0cost_negative_0_6) + slice0cost_pair_0_6 + slice0cost_single_0_6 +
+          slice0cost_pair_1_6 + as_number(slice0cost_negative_1_6);
+        slice0cost_column_0_7 <= as_number(slice0cost_negative_0_7) + slice0cost_pair_0_7 + slice0cost_single_0_7 +
+          slice0cost_pair_1_7 + as_number(slice0cost_negative_1_7);
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -788,35 +879,93 @@ begin
       slice0other_cost_0_0_all := slice0window_tag_output_column and (((slice0other_cost_0_1 - slice0window_sum_0_0) >=
         0) or slice0window_tag_first_column);
       slice0other_cost_0_1_all := slice0window_tag_output_column and slice0window_tag_first_column;
-      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0other_cost_0_2 - slice0window_sum_0_1)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_2_choice := slice0window_tag_output_column when (slice0other_cost_0_3 - slice0window_sum_0_2)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_3_choice := slice0window_tag_output_column when (slice0other_cost_0_4 - slice0window_sum_0_3)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_4_choice := slice0window_tag_output_column when (slice0other_cost_0_5 - slice0window_sum_0_4)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_5_choice := slice0window_tag_output_column when (slice0other_cost_0_6 - slice0window_sum_0_5)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_6_choice := slice0window_tag_output_column when (slice0other_cost_0_7 - slice0window_sum_0_6)
-        >= 0 else slice0other_cost_0_1_all;
+      if (slice0other_cost_0_2 - slice0window_sum_0_1) >= 0 then
+        slice0other_cost_0_1_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_1_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_0_3 - slice0window_sum_0_2) >= 0 then
+        slice0other_cost_0_2_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_2_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_0_4 - slice0window_sum_0_3) >= 0 then
+        slice0other_cost_0_3_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_3_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_0_5 - slice0window_sum_0_4) >= 0 then
+        slice0other_cost_0_4_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_4_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_0_6 - slice0window_sum_0_5) >= 0 then
+        slice0other_cost_0_5_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_5_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_0_7 - slice0window_sum_0_6) >= 0 then
+        slice0other_cost_0_6_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_6_choice := slice0other_cost_0_1_all;
+      end if;
       if slice0window_tag_valid then
-        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else slice0other_cost_0_1;
-        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_2;
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_choice else slice0other_cost_0_3;
-        slice0other_cost_0_3 <= slice0window_sum_0_3 when slice0other_cost_0_3_choice else slice0other_cost_0_4;
-        slice0other_cost_0_4 <= slice0window_sum_0_4 when slice0other_cost_0_4_choice else slice0other_cost_0_5;
-        slice0other_cost_0_5 <= slice0window_sum_0_5 when slice0other_cost_0_5_choice else slice0other_cost_0_6;
-        slice0other_cost_0_6 <= slice0window_sum_0_6 when slice0other_cost_0_6_choice else slice0other_cost_0_7;
-        slice0other_cost_0_7 <= slice0window_sum_0_7 when slice0window_tag_output_column else 0;
-        slice0other_winner_0_0 <= 8 when slice0other_cost_0_0_all else slice0other_winner_0_1;
-        slice0other_winner_0_1 <= 9 when slice0other_cost_0_1_choice else slice0other_winner_0_2;
-        slice0other_winner_0_2 <= 10 when slice0other_cost_0_2_choice else slice0other_winner_0_3;
-        slice0other_winner_0_3 <= 11 when slice0other_cost_0_3_choice else slice0other_winner_0_4;
-        slice0other_winner_0_4 <= 12 when slice0other_cost_0_4_choice else slice0other_winner_0_5;
-        slice0other_winner_0_5 <= 13 when slice0other_cost_0_5_choice else slice0other_winner_0_6;
-        slice0other_winner_0_6 <= 14 when slice0other_cost_0_6_choice else slice0other_winner_0_7;
-        slice0other_winner_0_7 <= 15 when slice0window_tag_output_column else 0;
+        if slice0other_cost_0_0_all then
+          slice0other_cost_0_0 <= slice0window_sum_0_0;
+          slice0other_winner_0_0 <= 8;
+        else
+          slice0other_cost_0_0 <= slice0other_cost_0_1;
+          slice0other_winner_0_0 <= slice0other_winner_0_1;
+        end if;
+        if slice0other_cost_0_1_choice then
+          slice0other_cost_0_1 <= slice0window_sum_0_1;
+          slice0other_winner_0_1 <= 9;
+        else
+          slice0other_cost_0_1 <= slice0other_cost_0_2;
+          slice0other_winner_0_1 <= slice0other_winner_0_2;
+        end if;
+        if slice0other_cost_0_2_choice then
+          slice0other_cost_0_2 <= slice0window_sum_0_2;
+          slice0other_winner_0_2 <= 10;
+        else
+          slice0other_cost_0_2 <= slice0other_cost_0_3;
+          slice0other_winner_0_2 <= slice0other_winner_0_3;
+        end if;
+        if slice0other_cost_0_3_choice then
+          slice0other_cost_0_3 <= slice0window_sum_0_3;
+          slice0other_winner_0_3 <= 11;
+        else
+          slice0other_cost_0_3 <= slice0other_cost_0_4;
+          slice0other_winner_0_3 <= slice0other_winner_0_4;
+        end if;
+        if slice0other_cost_0_4_choice then
+          slice0other_cost_0_4 <= slice0window_sum_0_4;
+          slice0other_winner_0_4 <= 12;
+        else
+          slice0other_cost_0_4 <= slice0other_cost_0_5;
+          slice0other_winner_0_4 <= slice0other_winner_0_5;
+        end if;
+        if slice0other_cost_0_5_choice then
+          slice0other_cost_0_5 <= slice0window_sum_0_5;
+          slice0other_winner_0_5 <= 13;
+        else
+          slice0other_cost_0_5 <= slice0other_cost_0_6;
+          slice0other_winner_0_5 <= slice0other_winner_0_6;
+        end if;
+        if slice0other_cost_0_6_choice then
+          slice0other_cost_0_6 <= slice0window_sum_0_6;
+          slice0other_winner_0_6 <= 14;
+        else
+          slice0other_cost_0_6 <= slice0other_cost_0_7;
+          slice0other_winner_0_6 <= slice0other_winner_0_7;
+        end if;
+        if slice0window_tag_output_column then
+          slice0other_cost_0_7 <= slice0window_sum_0_7;
+          slice0other_winner_0_7 <= 15;
+        else
+          slice0other_cost_0_7 <= 0;
+          slice0other_winner_0_7 <= 0;
+        end if;
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0_0;
       slice0other_winner_out_0 <= slice0other_winner_0_0;
@@ -831,36 +980,13 @@ begin
       slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 13)) or
         (to_unsigned(slice0winner1_of_pair_0_7, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 13)) or
         (to_unsigned(slice0winner1_of_pair_0_5, 13))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
-      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
-      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
-      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
-      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
-      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
       slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
-      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
-      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
       slice0winner1_pair_tag_valid <= slice0window_tag_valid;
       slice0winner1_pair_tag_map_column <= slice0window_tag_map_column;
       slice0winner1_pair_tag_output_column <= slice1window_centre_output_column_1;
       slice0winner1_pair_tag_first_column <= slice1window_centre_first_column_1;
       slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
-      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
-      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
-        slice0winner1_pair_index_0_2;
       slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
       slice0winner1_four_tag_map_column <= slice0winner1_pair_tag_map_column;
       slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
@@ -879,17 +1005,80 @@ begin
       slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_of_pair_0_0_is_less then
+        slice0winner1_of_pair_0_0 <= 0;
+        slice0winner1_of_pair_0_1 <= slice0window_sum_0_1;
+      else
+        slice0winner1_of_pair_0_0 <= slice0window_sum_0_0;
+        slice0winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice0winner1_of_pair_0_2_is_less then
+        slice0winner1_of_pair_0_2 <= 0;
+        slice0winner1_of_pair_0_3 <= slice0window_sum_0_3;
+        slice0winner1_pair_index_0_1 <= 3;
+      else
+        slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+        slice0winner1_of_pair_0_3 <= 0;
+        slice0winner1_pair_index_0_1 <= 2;
+      end if;
+      if slice0winner1_of_pair_0_4_is_less then
+        slice0winner1_of_pair_0_4 <= 0;
+        slice0winner1_of_pair_0_5 <= slice0window_sum_0_5;
+        slice0winner1_pair_index_0_2 <= 5;
+      else
+        slice0winner1_of_pair_0_4 <= slice0window_sum_0_4;
+        slice0winner1_of_pair_0_5 <= 0;
+        slice0winner1_pair_index_0_2 <= 4;
+      end if;
+      if slice0winner1_of_pair_0_6_is_less then
+        slice0winner1_of_pair_0_6 <= 0;
+        slice0winner1_of_pair_0_7 <= slice0window_sum_0_7;
+        slice0winner1_pair_index_0_3 <= 7;
+      else
+        slice0winner1_of_pair_0_6 <= slice0window_sum_0_6;
+        slice0winner1_of_pair_0_7 <= 0;
+        slice0winner1_pair_index_0_3 <= 6;
+      end if;
+      if slice0winner1_of_four_0_0_is_less then
+        slice0winner1_of_four_0_0 <= 0;
+        slice0winner1_of_four_0_1 <= 0;
+        slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2;
+        slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3;
+        slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice0winner1_of_four_0_0 <= slice0winner1_of_pair_0_0;
+        slice0winner1_of_four_0_1 <= slice0winner1_of_pair_0_1;
+        slice0winner1_of_four_0_2 <= 0;
+        slice0winner1_of_four_0_3 <= 0;
+        slice0winner1_four_index_0_0 <= as_number(slice0winner1_pair_index_0_0);
+      end if;
+      if slice0winner1_of_four_0_4_is_less then
+        slice0winner1_of_four_0_4 <= 0;
+        slice0winner1_of_four_0_5 <= 0;
+        slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6;
+        slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7;
+        slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3;
+      else
+        slice0winner1_of_four_0_4 <= slice0winner1_of_pair_0_4;
+        slice0winner1_of_four_0_5 <= slice0winner1_of_pair_0_5;
+        slice0winner1_of_four_0_6 <= 0;
+        slice0winner1_of_four_0_7 <= 0;
+        slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_2;
+      end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_index_0_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_0;
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 8;
@@ -1043,24 +1232,35 @@ begin
       slice1cost_single_0_5 <= (folded(slice1cost_difference_0_5) + as_number((slice1cost_difference_0_5 < 0))) mod 256;
       slice1cost_single_0_6 <= (folded(slice1cost_difference_0_6) + as_number((slice1cost_difference_0_6 < 0))) mod 256;
       slice1cost_single_0_7 <= (folded(slice1cost_difference_0_7) + as_number((slice1cost_difference_0_7 < 0))) mod 256;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0 + slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0);
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1 + slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1);
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2 + slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2);
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_3) +
-        slice1cost_pair_0_3 + slice1cost_single_0_3 + slice1cost_pair_1_3 + as_number(slice1cost_negative_1_3);
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_4) +
-        slice1cost_pair_0_4 + slice1cost_single_0_4 + slice1cost_pair_1_4 + as_number(slice1cost_negative_1_4);
-      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_5) +
-        slice1cost_pair_0_5 + slice1cost_single_0_5 + slice1cost_pair_1_5 + as_number(slice1cost_negative_1_5);
-      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_6) +
-        slice1cost_pair_0_6 + slice1cost_single_0_6 + slice1cost_pair_1_6 + as_number(slice1cost_negative_1_6);
-      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_7) +
-        slice1cost_pair_0_7 + slice1cost_single_0_7 + slice1cost_pair_1_7 + as_number(slice1cost_negative_1_7);
       slice1cost_tag_first_cost <= slice0cost_tag_first_cost;
       slice1cost_tag_output_column <= slice0cost_tag_output_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+        slice1cost_column_0_5 <= 0;
+        slice1cost_column_0_6 <= 0;
+        slice1cost_column_0_7 <= 0;
+      else
+        slice1cost_column_0_0 <= as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0 +
+          slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0);
+        slice1cost_column_0_1 <= as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1 +
+          slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1);
+        slice1cost_column_0_2 <= as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2 +
+          slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2);
+        slice1cost_column_0_3 <= as_number(slice1cost_negative_0_3) + slice1cost_pair_0_3 + slice1cost_single_0_3 +
+          slice1cost_pair_1_3 + as_number(slice1cost_negative_1_3);
+        slice1cost_column_0_4 <= as_number(slice1cost_negative_0_4) + slice1cost_pair_0_4 + slice1cost_single_0_4 +
+          slice1cost_pair_1_4 + as_number(slice1cost_negative_1_4);
+        slice1cost_column_0_5 <= as_number(slice1cost_negative_0_5) + slice1cost_pair_0_5 + slice1cost_single_0_5 +
+          slice1cost_pair_1_5 + as_number(slice1cost_negative_1_5);
+        slice1cost_column_0_6 <= as_number(slice1cost_negative_0_6) + slice1cost_pair_0_6 + slice1cost_single_0_6 +
+          slice1cost_pair_1_6 + as_number(slice1cost_negative_1_6);
+        slice1cost_column_0_7 <= as_number(slice1cost_negative_0_7) + slice1cost_pair_0_7 + slice1cost_single_0_7 +
+          slice1cost_pair_1_7 + as_number(slice1cost_negative_1_7);
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1114,37 +1314,97 @@ begin
       -- slice1other
       slice1other_cost_0_1_any := (not slice0winner1_pair_tag_output_column) or (not
         slice0winner1_pair_tag_first_column);
-      slice1other_cost_0_1_choice := not slice0winner1_pair_tag_output_column when (slice1other_cost_0_2 -
-        slice1window_sum_0_1) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_2_choice := not slice0winner1_pair_tag_output_column when (slice1other_cost_0_3 -
-        slice1window_sum_0_2) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_3_choice := not slice0winner1_pair_tag_output_column when (slice1other_cost_0_4 -
-        slice1window_sum_0_3) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_4_choice := not slice0winner1_pair_tag_output_column when (slice1other_cost_0_5 -
-        slice1window_sum_0_4) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_5_choice := not slice0winner1_pair_tag_output_column when (slice1other_cost_0_6 -
-        slice1window_sum_0_5) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_6_choice := not slice0winner1_pair_tag_output_column when (slice1other_cost_0_7 -
-        slice1window_sum_0_6) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_7_choice := not slice0winner1_pair_tag_output_column when (slice0other_cost_out_0 -
-        slice1window_sum_0_7) >= 0 else slice1other_cost_0_1_any;
+      if (slice1other_cost_0_2 - slice1window_sum_0_1) >= 0 then
+        slice1other_cost_0_1_choice := not slice0winner1_pair_tag_output_column;
+      else
+        slice1other_cost_0_1_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_0_3 - slice1window_sum_0_2) >= 0 then
+        slice1other_cost_0_2_choice := not slice0winner1_pair_tag_output_column;
+      else
+        slice1other_cost_0_2_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_0_4 - slice1window_sum_0_3) >= 0 then
+        slice1other_cost_0_3_choice := not slice0winner1_pair_tag_output_column;
+      else
+        slice1other_cost_0_3_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_0_5 - slice1window_sum_0_4) >= 0 then
+        slice1other_cost_0_4_choice := not slice0winner1_pair_tag_output_column;
+      else
+        slice1other_cost_0_4_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_0_6 - slice1window_sum_0_5) >= 0 then
+        slice1other_cost_0_5_choice := not slice0winner1_pair_tag_output_column;
+      else
+        slice1other_cost_0_5_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_0_7 - slice1window_sum_0_6) >= 0 then
+        slice1other_cost_0_6_choice := not slice0winner1_pair_tag_output_column;
+      else
+        slice1other_cost_0_6_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice0other_cost_out_0 - slice1window_sum_0_7) >= 0 then
+        slice1other_cost_0_7_choice := not slice0winner1_pair_tag_output_column;
+      else
+        slice1other_cost_0_7_choice := slice1other_cost_0_1_any;
+      end if;
       if slice0winner1_pair_tag_valid then
-        slice1other_cost_0_1 <= slice1other_cost_0_2 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
-        slice1other_cost_0_2 <= slice1other_cost_0_3 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
-        slice1other_cost_0_3 <= slice1other_cost_0_4 when slice1other_cost_0_3_choice else slice1window_sum_0_3;
-        slice1other_cost_0_4 <= slice1other_cost_0_5 when slice1other_cost_0_4_choice else slice1window_sum_0_4;
-        slice1other_cost_0_5 <= slice1other_cost_0_6 when slice1other_cost_0_5_choice else slice1window_sum_0_5;
-        slice1other_cost_0_6 <= slice1other_cost_0_7 when slice1other_cost_0_6_choice else slice1window_sum_0_6;
-        slice1other_cost_0_7 <= slice0other_cost_out_0 when slice1other_cost_0_7_choice else slice1window_sum_0_7;
-        slice1other_winner_0_0 <= slice1other_winner_0_1 when (not slice0winner1_pair_tag_output_column) or ((not
-          slice0winner1_pair_tag_first_column) and ((slice1other_cost_0_1 - slice1window_sum_0_0) < 0)) else 0;
-        slice1other_winner_0_1 <= slice1other_winner_0_2 when slice1other_cost_0_1_choice else 1;
-        slice1other_winner_0_2 <= slice1other_winner_0_3 when slice1other_cost_0_2_choice else 2;
-        slice1other_winner_0_3 <= slice1other_winner_0_4 when slice1other_cost_0_3_choice else 3;
-        slice1other_winner_0_4 <= slice1other_winner_0_5 when slice1other_cost_0_4_choice else 4;
-        slice1other_winner_0_5 <= slice1other_winner_0_6 when slice1other_cost_0_5_choice else 5;
-        slice1other_winner_0_6 <= slice1other_winner_0_7 when slice1other_cost_0_6_choice else 6;
-        slice1other_winner_0_7 <= slice0other_winner_out_0 when slice1other_cost_0_7_choice else 7;
+        if slice1other_cost_0_1_choice then
+          slice1other_cost_0_1 <= slice1other_cost_0_2;
+          slice1other_winner_0_1 <= slice1other_winner_0_2;
+        else
+          slice1other_cost_0_1 <= slice1window_sum_0_1;
+          slice1other_winner_0_1 <= 1;
+        end if;
+        if slice1other_cost_0_2_choice then
+          slice1other_cost_0_2 <= slice1other_cost_0_3;
+          slice1other_winner_0_2 <= slice1other_winner_0_3;
+        else
+          slice1other_cost_0_2 <= slice1window_sum_0_2;
+          slice1other_winner_0_2 <= 2;
+        end if;
+        if slice1other_cost_0_3_choice then
+          slice1other_cost_0_3 <= slice1other_cost_0_4;
+          slice1other_winner_0_3 <= slice1other_winner_0_4;
+        else
+          slice1other_cost_0_3 <= slice1window_sum_0_3;
+          slice1other_winner_0_3 <= 3;
+        end if;
+        if slice1other_cost_0_4_choice then
+          slice1other_cost_0_4 <= slice1other_cost_0_5;
+          slice1other_winner_0_4 <= slice1other_winner_0_5;
+        else
+          slice1other_cost_0_4 <= slice1window_sum_0_4;
+          slice1other_winner_0_4 <= 4;
+        end if;
+        if slice1other_cost_0_5_choice then
+          slice1other_cost_0_5 <= slice1other_cost_0_6;
+          slice1other_winner_0_5 <= slice1other_winner_0_6;
+        else
+          slice1other_cost_0_5 <= slice1window_sum_0_5;
+          slice1other_winner_0_5 <= 5;
+        end if;
+        if slice1other_cost_0_6_choice then
+          slice1other_cost_0_6 <= slice1other_cost_0_7;
+          slice1other_winner_0_6 <= slice1other_winner_0_7;
+        else
+          slice1other_cost_0_6 <= slice1window_sum_0_6;
+          slice1other_winner_0_6 <= 6;
+        end if;
+        if slice1other_cost_0_7_choice then
+          slice1other_cost_0_7 <= slice0other_cost_out_0;
+          slice1other_winner_0_7 <= slice0other_winner_out_0;
+        else
+          slice1other_cost_0_7 <= slice1window_sum_0_7;
+          slice1other_winner_0_7 <= 7;
+        end if;
+        if (not slice0winner1_pair_tag_output_column) or ((not slice0winner1_pair_tag_first_column) and
+          ((slice1other_cost_0_1 - slice1window_sum_0_0) < 0)) then
+          slice1other_winner_0_0 <= slice1other_winner_0_1;
+        else
+          slice1other_winner_0_0 <= 0;
+        end if;
       end if;
       slice1other_winner_out_0 <= slice1other_winner_0_0;
       -- slice1winner1
@@ -1158,30 +1418,7 @@ begin
       slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 13)) or
         (to_unsigned(slice1winner1_of_pair_0_7, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 13)) or
         (to_unsigned(slice1winner1_of_pair_0_5, 13))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
-      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
-      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
-      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
-      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
-      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
       slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
-      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
-      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
-      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
-      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
-        slice1winner1_pair_index_0_2;
       slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 13)) or
         (to_unsigned(slice1winner1_of_four_0_3, 13)))) or (to_unsigned(slice1winner1_of_four_0_1, 13)))) or
         (to_unsigned(slice1winner1_of_four_0_0, 13))));
@@ -1190,28 +1427,92 @@ begin
         (to_unsigned(slice1winner1_of_four_0_4, 13))));
       slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
       slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
+      if slice1winner1_of_pair_0_0_is_less then
+        slice1winner1_of_pair_0_0 <= 0;
+        slice1winner1_of_pair_0_1 <= slice1window_sum_0_1;
+      else
+        slice1winner1_of_pair_0_0 <= slice1window_sum_0_0;
+        slice1winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice1winner1_of_pair_0_2_is_less then
+        slice1winner1_of_pair_0_2 <= 0;
+        slice1winner1_of_pair_0_3 <= slice1window_sum_0_3;
+        slice1winner1_pair_index_0_1 <= 3;
+      else
+        slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+        slice1winner1_of_pair_0_3 <= 0;
+        slice1winner1_pair_index_0_1 <= 2;
+      end if;
+      if slice1winner1_of_pair_0_4_is_less then
+        slice1winner1_of_pair_0_4 <= 0;
+        slice1winner1_of_pair_0_5 <= slice1window_sum_0_5;
+        slice1winner1_pair_index_0_2 <= 5;
+      else
+        slice1winner1_of_pair_0_4 <= slice1window_sum_0_4;
+        slice1winner1_of_pair_0_5 <= 0;
+        slice1winner1_pair_index_0_2 <= 4;
+      end if;
+      if slice1winner1_of_pair_0_6_is_less then
+        slice1winner1_of_pair_0_6 <= 0;
+        slice1winner1_of_pair_0_7 <= slice1window_sum_0_7;
+        slice1winner1_pair_index_0_3 <= 7;
+      else
+        slice1winner1_of_pair_0_6 <= slice1window_sum_0_6;
+        slice1winner1_of_pair_0_7 <= 0;
+        slice1winner1_pair_index_0_3 <= 6;
+      end if;
+      if slice1winner1_of_four_0_0_is_less then
+        slice1winner1_of_four_0_0 <= 0;
+        slice1winner1_of_four_0_1 <= 0;
+        slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2;
+        slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3;
+        slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1;
+      else
+        slice1winner1_of_four_0_0 <= slice1winner1_of_pair_0_0;
+        slice1winner1_of_four_0_1 <= slice1winner1_of_pair_0_1;
+        slice1winner1_of_four_0_2 <= 0;
+        slice1winner1_of_four_0_3 <= 0;
+        slice1winner1_four_index_0_0 <= as_number(slice1winner1_pair_index_0_0);
+      end if;
+      if slice1winner1_of_four_0_4_is_less then
+        slice1winner1_of_four_0_4 <= 0;
+        slice1winner1_of_four_0_5 <= 0;
+        slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6;
+        slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7;
+        slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3;
+      else
+        slice1winner1_of_four_0_4 <= slice1winner1_of_pair_0_4;
+        slice1winner1_of_four_0_5 <= slice1winner1_of_pair_0_5;
+        slice1winner1_of_four_0_6 <= 0;
+        slice1winner1_of_four_0_7 <= 0;
+        slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_2;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_index_0_0;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_0;
+      end if;
       -- slice1
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0 else
-        slice1winner2_best_index_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0 then
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_index_0_0 <= slice1winner2_best_index_0_0;
+      end if;
       -- leftright
       leftright_holds_winners_all := (leftright_ring_read_address /= 0) and (not leftright_holds_winners);
       leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
       leftright_other_1_0 <= slice1other_winner_out_0;
       leftright_other_2_0 <= leftright_other_1_0;
       leftright_other_3_0 <= leftright_other_2_0;
-      leftright_holds_winners <= leftright_holds_winners and (not slice1_best_tag_valid) when
-        leftright_holds_winners_all else leftright_holds_winners or slice1_best_tag_valid;
       leftright_position <= (leftright_position + as_number(slice1_best_tag_valid)) mod 32;
       leftright_held_position <= leftright_position;
       leftright_held_valid <= (not leftright_holds_winners_all) and slice1_best_tag_valid;
@@ -1235,10 +1536,18 @@ begin
       leftright_checked_tag_output_column <= leftright_answered_tag_output_column;
       leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
       leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if leftright_holds_winners_all then
+        leftright_holds_winners <= leftright_holds_winners and (not slice1_best_tag_valid);
+      else
+        leftright_holds_winners <= leftright_holds_winners or slice1_best_tag_valid;
+      end if;
       if slice1_best_tag_valid then
-        leftright_ring_read_address <= 0 when leftright_ring_read_address = 15 else (leftright_ring_read_address + 1)
-          mod 16;
         leftright_ring_write_address <= leftright_ring_read_address;
+        if leftright_ring_read_address = 15 then
+          leftright_ring_read_address <= 0;
+        else
+          leftright_ring_read_address <= (leftright_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if reset = '1' then
         raster_features_valid <= false;

@@ -338,53 +338,77 @@ architecture rtl of stereo_core_study_median is
   -- other
   signal other_0 : natural range 0 to 30;
   signal other_1, other_2 : unsigned(48 downto 0);
+  signal map_rows_read_words_0_memory_read_enable : boolean;
+  signal map_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal map_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(13 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(3 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(3 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  map_rows_read_words_0_memory_read_enable <= true;
+  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 9);
+  map_rows_read_words_0_memory_write_address <= to_unsigned(map_write_column, 9);
   map_rows_read_words_0_memory_write_data <= to_unsigned(map_rows_write_words_0, 14);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 304, width => 14)
+    generic map (depth => 304, width => 14, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_write_column, write_data => map_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
+      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
+      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 4);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 4);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 8)
+    generic map (depth => 16, width => 8, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
@@ -453,32 +477,62 @@ begin
       raster_place_group_is_equal := raster_place_group = 63;
       raster_place_group_is_equal_2 := raster_place_column = 319;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := in_valid and raster_place_group_is_equal_2 and ((raster_place_group mod 2) = 1) when
-        (raster_place_group / 2) = 33 else in_valid and raster_place_group_is_equal_2;
-      raster_place_group_choice_2 := 2 when raster_place_next_frame and (raster_place_group = 65) else
-        (raster_place_group + 1) mod 128;
-      raster_place_group_choice_3 := raster_place_group_choice_2 when raster_place_group_choice else raster_place_group;
-      raster_place_next_frame_choice := raster_place_next_frame and ((((raster_place_group / 2) mod 2) = 1) or (not
-        ((raster_place_group mod 2) = 1))) when raster_place_group_is_equal_2 and ((raster_place_group / 4) = 16) else
-        raster_place_next_frame;
-      raster_place_next_frame_choice_2 := in_valid when raster_place_group_all else in_valid and (not
-        in_start_of_frame);
-      raster_place_next_frame_choice_3 := raster_place_next_frame_choice_2 when raster_place_next_frame_choice else
-        raster_place_group_is_equal and raster_place_group_is_equal_2 and in_valid and in_start_of_frame;
+      if (raster_place_group / 2) = 33 then
+        raster_place_group_choice := in_valid and raster_place_group_is_equal_2 and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_group_choice := in_valid and raster_place_group_is_equal_2;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 65) then
+        raster_place_group_choice_2 := 2;
+      else
+        raster_place_group_choice_2 := (raster_place_group + 1) mod 128;
+      end if;
+      if raster_place_group_choice then
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      else
+        raster_place_group_choice_3 := raster_place_group;
+      end if;
+      if raster_place_group_is_equal_2 and ((raster_place_group / 4) = 16) then
+        raster_place_next_frame_choice := raster_place_next_frame and ((((raster_place_group / 2) mod 2) = 1) or (not
+          ((raster_place_group mod 2) = 1)));
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_all then
+        raster_place_next_frame_choice_2 := in_valid;
+      else
+        raster_place_next_frame_choice_2 := in_valid and (not in_start_of_frame);
+      end if;
+      if raster_place_next_frame_choice then
+        raster_place_next_frame_choice_3 := raster_place_next_frame_choice_2;
+      else
+        raster_place_next_frame_choice_3 := raster_place_group_is_equal and raster_place_group_is_equal_2 and in_valid
+          and in_start_of_frame;
+      end if;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= as_number(raster_place_group_all) * 64 when in_valid and in_start_of_frame else
-        raster_place_group_choice_3;
       raster_place_next_frame <= raster_place_next_frame_choice_3 or ((not in_valid) and raster_place_next_frame);
+      if in_valid and in_start_of_frame then
+        raster_place_group <= as_number(raster_place_group_all) * 64;
+      else
+        raster_place_group <= raster_place_group_choice_3;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when in_start_of_frame or raster_place_group_is_equal_2 else (raster_place_column + 1)
-          mod 512;
+        if in_start_of_frame or raster_place_group_is_equal_2 then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 512;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 15 else (delay_ring_read_address + 1) mod 16;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 15 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 16;
+        end if;
       end if;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
@@ -521,21 +575,46 @@ begin
       rows_ready_tag_map_column <= rows_read_tag_map_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8)) when rows_ready_inside_1 else 0;
-      rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16)) when rows_ready_inside_2 else 0;
-      rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24)) when rows_ready_inside_3 else 0;
-      rows_search_4 <= rows_search_rows_ready_newest_0 when rows_ready_inside_4 else 0;
-      rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8)) when rows_ready_inside_1 else 0;
-      rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16)) when rows_ready_inside_2 else 0;
-      rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24)) when rows_ready_inside_3 else 0;
-      rows_reference_4 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_4 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_map_column <= rows_ready_tag_map_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
+        rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8));
+        rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8));
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16));
+        rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16));
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
+      if rows_ready_inside_3 then
+        rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24));
+        rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24));
+      else
+        rows_search_3 <= 0;
+        rows_reference_3 <= 0;
+      end if;
+      if rows_ready_inside_4 then
+        rows_search_4 <= rows_search_rows_ready_newest_0;
+        rows_reference_4 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_4 <= 0;
+        rows_reference_4 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= to_unsigned(rows_search_rows_ready_newest_0, 8) &
           rows_search_rows_ready_words_0(31 downto 8);
@@ -708,27 +787,38 @@ begin
       slice0cost_pair_tag_map_column <= slice0cost_difference_tag_map_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0 + slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0);
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1 + slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1);
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2 + slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2);
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_3) +
-        slice0cost_pair_0_3 + slice0cost_single_0_3 + slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3);
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_4) +
-        slice0cost_pair_0_4 + slice0cost_single_0_4 + slice0cost_pair_1_4 + as_number(slice0cost_negative_1_4);
-      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_5) +
-        slice0cost_pair_0_5 + slice0cost_single_0_5 + slice0cost_pair_1_5 + as_number(slice0cost_negative_1_5);
-      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_6) +
-        slice0cost_pair_0_6 + slice0cost_single_0_6 + slice0cost_pair_1_6 + as_number(slice0cost_negative_1_6);
-      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_7) +
-        slice0cost_pair_0_7 + slice0cost_single_0_7 + slice0cost_pair_1_7 + as_number(slice0cost_negative_1_7);
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+        slice0cost_column_0_5 <= 0;
+        slice0cost_column_0_6 <= 0;
+        slice0cost_column_0_7 <= 0;
+      else
+        slice0cost_column_0_0 <= as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0 +
+          slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0);
+        slice0cost_column_0_1 <= as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1 +
+          slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1);
+        slice0cost_column_0_2 <= as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2 +
+          slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2);
+        slice0cost_column_0_3 <= as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 + slice0cost_single_0_3 +
+          slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3);
+        slice0cost_column_0_4 <= as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 + slice0cost_single_0_4 +
+          slice0cost_pair_1_4 + as_number(slice0cost_negative_1_4);
+        slice0cost_column_0_5 <= as_number(slice0cost_negative_0_5) + slice0cost_pair_0_5 + slice0cost_single_0_5 +
+          slice0cost_pair_1_5 + as_number(slice0cost_negative_1_5);
+        slice0cost_column_0_6 <= as_number(slice0cost_negative_0_6) + slice0cost_pair_0_6 + slice0cost_single_0_6 +
+          slice0cost_pair_1_6 + as_number(slice0cost_negative_1_6);
+        slice0cost_column_0_7 <= as_number(slice0cost_negative_0_7) + slice0cost_pair_0_7 + slice0cost_single_0_7 +
+          slice0cost_pair_1_7 + as_number(slice0cost_negative_1_7);
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -792,34 +882,11 @@ begin
       slice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_6, 13)) or
         (to_unsigned(slice0winner1_of_pair_0_7, 13)))) - to_integer(((to_unsigned(slice0winner1_of_pair_0_4, 13)) or
         (to_unsigned(slice0winner1_of_pair_0_5, 13))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
-      slice0winner1_of_pair_0_2 <= 0 when slice0winner1_of_pair_0_2_is_less else slice0window_sum_0_2;
-      slice0winner1_of_pair_0_3 <= slice0window_sum_0_3 when slice0winner1_of_pair_0_2_is_less else 0;
-      slice0winner1_of_pair_0_4 <= 0 when slice0winner1_of_pair_0_4_is_less else slice0window_sum_0_4;
-      slice0winner1_of_pair_0_5 <= slice0window_sum_0_5 when slice0winner1_of_pair_0_4_is_less else 0;
-      slice0winner1_of_pair_0_6 <= 0 when slice0winner1_of_pair_0_6_is_less else slice0window_sum_0_6;
-      slice0winner1_of_pair_0_7 <= slice0window_sum_0_7 when slice0winner1_of_pair_0_6_is_less else 0;
       slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
-      slice0winner1_pair_index_0_1 <= 3 when slice0winner1_of_pair_0_2_is_less else 2;
-      slice0winner1_pair_index_0_2 <= 5 when slice0winner1_of_pair_0_4_is_less else 4;
-      slice0winner1_pair_index_0_3 <= 7 when slice0winner1_of_pair_0_6_is_less else 6;
       slice0winner1_pair_tag_valid <= slice0window_tag_valid;
       slice0winner1_pair_tag_map_column <= slice0window_tag_map_column;
       slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_pair_tag_end_of_line <= slice0window_tag_end_of_line;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_4 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_4;
-      slice0winner1_of_four_0_5 <= 0 when slice0winner1_of_four_0_4_is_less else slice0winner1_of_pair_0_5;
-      slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7 when slice0winner1_of_four_0_4_is_less else 0;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3 when slice0winner1_of_four_0_4_is_less else
-        slice0winner1_pair_index_0_2;
       slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
       slice0winner1_four_tag_map_column <= slice0winner1_pair_tag_map_column;
       slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
@@ -836,16 +903,79 @@ begin
       slice0winner1_tag_map_column <= slice0winner1_four_tag_map_column;
       slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_of_pair_0_0_is_less then
+        slice0winner1_of_pair_0_0 <= 0;
+        slice0winner1_of_pair_0_1 <= slice0window_sum_0_1;
+      else
+        slice0winner1_of_pair_0_0 <= slice0window_sum_0_0;
+        slice0winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice0winner1_of_pair_0_2_is_less then
+        slice0winner1_of_pair_0_2 <= 0;
+        slice0winner1_of_pair_0_3 <= slice0window_sum_0_3;
+        slice0winner1_pair_index_0_1 <= 3;
+      else
+        slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
+        slice0winner1_of_pair_0_3 <= 0;
+        slice0winner1_pair_index_0_1 <= 2;
+      end if;
+      if slice0winner1_of_pair_0_4_is_less then
+        slice0winner1_of_pair_0_4 <= 0;
+        slice0winner1_of_pair_0_5 <= slice0window_sum_0_5;
+        slice0winner1_pair_index_0_2 <= 5;
+      else
+        slice0winner1_of_pair_0_4 <= slice0window_sum_0_4;
+        slice0winner1_of_pair_0_5 <= 0;
+        slice0winner1_pair_index_0_2 <= 4;
+      end if;
+      if slice0winner1_of_pair_0_6_is_less then
+        slice0winner1_of_pair_0_6 <= 0;
+        slice0winner1_of_pair_0_7 <= slice0window_sum_0_7;
+        slice0winner1_pair_index_0_3 <= 7;
+      else
+        slice0winner1_of_pair_0_6 <= slice0window_sum_0_6;
+        slice0winner1_of_pair_0_7 <= 0;
+        slice0winner1_pair_index_0_3 <= 6;
+      end if;
+      if slice0winner1_of_four_0_0_is_less then
+        slice0winner1_of_four_0_0 <= 0;
+        slice0winner1_of_four_0_1 <= 0;
+        slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2;
+        slice0winner1_of_four_0_3 <= slice0winner1_of_pair_0_3;
+        slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice0winner1_of_four_0_0 <= slice0winner1_of_pair_0_0;
+        slice0winner1_of_four_0_1 <= slice0winner1_of_pair_0_1;
+        slice0winner1_of_four_0_2 <= 0;
+        slice0winner1_of_four_0_3 <= 0;
+        slice0winner1_four_index_0_0 <= as_number(slice0winner1_pair_index_0_0);
+      end if;
+      if slice0winner1_of_four_0_4_is_less then
+        slice0winner1_of_four_0_4 <= 0;
+        slice0winner1_of_four_0_5 <= 0;
+        slice0winner1_of_four_0_6 <= slice0winner1_of_pair_0_6;
+        slice0winner1_of_four_0_7 <= slice0winner1_of_pair_0_7;
+        slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_3;
+      else
+        slice0winner1_of_four_0_4 <= slice0winner1_of_pair_0_4;
+        slice0winner1_of_four_0_5 <= slice0winner1_of_pair_0_5;
+        slice0winner1_of_four_0_6 <= 0;
+        slice0winner1_of_four_0_7 <= 0;
+        slice0winner1_four_index_0_1 <= slice0winner1_pair_index_0_2;
+      end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_index_0_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_0;
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 8;
@@ -998,22 +1128,33 @@ begin
       slice1cost_single_0_5 <= (folded(slice1cost_difference_0_5) + as_number((slice1cost_difference_0_5 < 0))) mod 256;
       slice1cost_single_0_6 <= (folded(slice1cost_difference_0_6) + as_number((slice1cost_difference_0_6 < 0))) mod 256;
       slice1cost_single_0_7 <= (folded(slice1cost_difference_0_7) + as_number((slice1cost_difference_0_7 < 0))) mod 256;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0 + slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0);
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1 + slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1);
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2 + slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2);
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_3) +
-        slice1cost_pair_0_3 + slice1cost_single_0_3 + slice1cost_pair_1_3 + as_number(slice1cost_negative_1_3);
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_4) +
-        slice1cost_pair_0_4 + slice1cost_single_0_4 + slice1cost_pair_1_4 + as_number(slice1cost_negative_1_4);
-      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_5) +
-        slice1cost_pair_0_5 + slice1cost_single_0_5 + slice1cost_pair_1_5 + as_number(slice1cost_negative_1_5);
-      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_6) +
-        slice1cost_pair_0_6 + slice1cost_single_0_6 + slice1cost_pair_1_6 + as_number(slice1cost_negative_1_6);
-      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_7) +
-        slice1cost_pair_0_7 + slice1cost_single_0_7 + slice1cost_pair_1_7 + as_number(slice1cost_negative_1_7);
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+        slice1cost_column_0_5 <= 0;
+        slice1cost_column_0_6 <= 0;
+        slice1cost_column_0_7 <= 0;
+      else
+        slice1cost_column_0_0 <= as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0 +
+          slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0);
+        slice1cost_column_0_1 <= as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1 +
+          slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1);
+        slice1cost_column_0_2 <= as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2 +
+          slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2);
+        slice1cost_column_0_3 <= as_number(slice1cost_negative_0_3) + slice1cost_pair_0_3 + slice1cost_single_0_3 +
+          slice1cost_pair_1_3 + as_number(slice1cost_negative_1_3);
+        slice1cost_column_0_4 <= as_number(slice1cost_negative_0_4) + slice1cost_pair_0_4 + slice1cost_single_0_4 +
+          slice1cost_pair_1_4 + as_number(slice1cost_negative_1_4);
+        slice1cost_column_0_5 <= as_number(slice1cost_negative_0_5) + slice1cost_pair_0_5 + slice1cost_single_0_5 +
+          slice1cost_pair_1_5 + as_number(slice1cost_negative_1_5);
+        slice1cost_column_0_6 <= as_number(slice1cost_negative_0_6) + slice1cost_pair_0_6 + slice1cost_single_0_6 +
+          slice1cost_pair_1_6 + as_number(slice1cost_negative_1_6);
+        slice1cost_column_0_7 <= as_number(slice1cost_negative_0_7) + slice1cost_pair_0_7 + slice1cost_single_0_7 +
+          slice1cost_pair_1_7 + as_number(slice1cost_negative_1_7);
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1071,30 +1212,7 @@ begin
       slice1winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_6, 13)) or
         (to_unsigned(slice1winner1_of_pair_0_7, 13)))) - to_integer(((to_unsigned(slice1winner1_of_pair_0_4, 13)) or
         (to_unsigned(slice1winner1_of_pair_0_5, 13))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
-      slice1winner1_of_pair_0_2 <= 0 when slice1winner1_of_pair_0_2_is_less else slice1window_sum_0_2;
-      slice1winner1_of_pair_0_3 <= slice1window_sum_0_3 when slice1winner1_of_pair_0_2_is_less else 0;
-      slice1winner1_of_pair_0_4 <= 0 when slice1winner1_of_pair_0_4_is_less else slice1window_sum_0_4;
-      slice1winner1_of_pair_0_5 <= slice1window_sum_0_5 when slice1winner1_of_pair_0_4_is_less else 0;
-      slice1winner1_of_pair_0_6 <= 0 when slice1winner1_of_pair_0_6_is_less else slice1window_sum_0_6;
-      slice1winner1_of_pair_0_7 <= slice1window_sum_0_7 when slice1winner1_of_pair_0_6_is_less else 0;
       slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_pair_index_0_1 <= 3 when slice1winner1_of_pair_0_2_is_less else 2;
-      slice1winner1_pair_index_0_2 <= 5 when slice1winner1_of_pair_0_4_is_less else 4;
-      slice1winner1_pair_index_0_3 <= 7 when slice1winner1_of_pair_0_6_is_less else 6;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_4 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_4;
-      slice1winner1_of_four_0_5 <= 0 when slice1winner1_of_four_0_4_is_less else slice1winner1_of_pair_0_5;
-      slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7 when slice1winner1_of_four_0_4_is_less else 0;
-      slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3 when slice1winner1_of_four_0_4_is_less else
-        slice1winner1_pair_index_0_2;
       slice1winner1_best_cost_0_0 <= to_integer(((((((to_unsigned(slice1winner1_of_four_0_2, 13)) or
         (to_unsigned(slice1winner1_of_four_0_3, 13)))) or (to_unsigned(slice1winner1_of_four_0_1, 13)))) or
         (to_unsigned(slice1winner1_of_four_0_0, 13))));
@@ -1103,220 +1221,551 @@ begin
         (to_unsigned(slice1winner1_of_four_0_4, 13))));
       slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
       slice1winner1_best_index_0_1 <= slice1winner1_four_index_0_1;
+      if slice1winner1_of_pair_0_0_is_less then
+        slice1winner1_of_pair_0_0 <= 0;
+        slice1winner1_of_pair_0_1 <= slice1window_sum_0_1;
+      else
+        slice1winner1_of_pair_0_0 <= slice1window_sum_0_0;
+        slice1winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice1winner1_of_pair_0_2_is_less then
+        slice1winner1_of_pair_0_2 <= 0;
+        slice1winner1_of_pair_0_3 <= slice1window_sum_0_3;
+        slice1winner1_pair_index_0_1 <= 3;
+      else
+        slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
+        slice1winner1_of_pair_0_3 <= 0;
+        slice1winner1_pair_index_0_1 <= 2;
+      end if;
+      if slice1winner1_of_pair_0_4_is_less then
+        slice1winner1_of_pair_0_4 <= 0;
+        slice1winner1_of_pair_0_5 <= slice1window_sum_0_5;
+        slice1winner1_pair_index_0_2 <= 5;
+      else
+        slice1winner1_of_pair_0_4 <= slice1window_sum_0_4;
+        slice1winner1_of_pair_0_5 <= 0;
+        slice1winner1_pair_index_0_2 <= 4;
+      end if;
+      if slice1winner1_of_pair_0_6_is_less then
+        slice1winner1_of_pair_0_6 <= 0;
+        slice1winner1_of_pair_0_7 <= slice1window_sum_0_7;
+        slice1winner1_pair_index_0_3 <= 7;
+      else
+        slice1winner1_of_pair_0_6 <= slice1window_sum_0_6;
+        slice1winner1_of_pair_0_7 <= 0;
+        slice1winner1_pair_index_0_3 <= 6;
+      end if;
+      if slice1winner1_of_four_0_0_is_less then
+        slice1winner1_of_four_0_0 <= 0;
+        slice1winner1_of_four_0_1 <= 0;
+        slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2;
+        slice1winner1_of_four_0_3 <= slice1winner1_of_pair_0_3;
+        slice1winner1_four_index_0_0 <= slice1winner1_pair_index_0_1;
+      else
+        slice1winner1_of_four_0_0 <= slice1winner1_of_pair_0_0;
+        slice1winner1_of_four_0_1 <= slice1winner1_of_pair_0_1;
+        slice1winner1_of_four_0_2 <= 0;
+        slice1winner1_of_four_0_3 <= 0;
+        slice1winner1_four_index_0_0 <= as_number(slice1winner1_pair_index_0_0);
+      end if;
+      if slice1winner1_of_four_0_4_is_less then
+        slice1winner1_of_four_0_4 <= 0;
+        slice1winner1_of_four_0_5 <= 0;
+        slice1winner1_of_four_0_6 <= slice1winner1_of_pair_0_6;
+        slice1winner1_of_four_0_7 <= slice1winner1_of_pair_0_7;
+        slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_3;
+      else
+        slice1winner1_of_four_0_4 <= slice1winner1_of_pair_0_4;
+        slice1winner1_of_four_0_5 <= slice1winner1_of_pair_0_5;
+        slice1winner1_of_four_0_6 <= 0;
+        slice1winner1_of_four_0_7 <= 0;
+        slice1winner1_four_index_0_1 <= slice1winner1_pair_index_0_2;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_index_0_0;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_0;
+      end if;
       -- slice1
       slice1_best_tag_row_start_is_equal := map_counter_group = 64;
-      slice1_best_tag_row_start_choice := (map_counter_column /= 303) and slice1_best_tag_row_start when
-        slice1_best_tag_row_start_is_equal else slice1_best_tag_row_start;
-      slice1_best_tag_row_start_choice_2 := slice1_best_tag_row_start when map_counter_group = 65 else
-        slice1_best_tag_row_start_choice;
+      if slice1_best_tag_row_start_is_equal then
+        slice1_best_tag_row_start_choice := (map_counter_column /= 303) and slice1_best_tag_row_start;
+      else
+        slice1_best_tag_row_start_choice := slice1_best_tag_row_start;
+      end if;
+      if map_counter_group = 65 then
+        slice1_best_tag_row_start_choice_2 := slice1_best_tag_row_start;
+      else
+        slice1_best_tag_row_start_choice_2 := slice1_best_tag_row_start_choice;
+      end if;
       slice1_best_tag_row_start_is_equal_2 := map_counter_group = 63;
       slice1_best_tag_row_start_is_equal_3 := map_counter_column = 303;
       slice1_best_tag_row_start_all := slice1_best_tag_row_start_is_equal_2 and slice1_best_tag_row_start_is_equal_3;
-      slice1_best_tag_row_start_choice_3 := slice1_best_tag_row_start_all or (not slice1_best_tag_start_of_frame) when
-        slice1_best_tag_row_start_choice_2 else slice1_best_tag_row_start_is_equal_2 and
-        slice1_best_tag_row_start_is_equal_3 and slice1_best_tag_start_of_frame;
+      if slice1_best_tag_row_start_choice_2 then
+        slice1_best_tag_row_start_choice_3 := slice1_best_tag_row_start_all or (not slice1_best_tag_start_of_frame);
+      else
+        slice1_best_tag_row_start_choice_3 := slice1_best_tag_row_start_is_equal_2 and
+          slice1_best_tag_row_start_is_equal_3 and slice1_best_tag_start_of_frame;
+      end if;
       slice1_best_tag_row_start_all_2 := slice1_best_tag_valid and slice1_best_tag_map_column;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0 else
-        slice1winner2_best_index_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
-      slice1_best_tag_row_start <= slice1_best_tag_row_start or slice1_best_tag_row_start_all_2 when
-        slice1_best_tag_row_start_choice_3 else slice1_best_tag_row_start and ((not slice1_best_tag_valid) or (not
-        slice1_best_tag_map_column));
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0 then
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_index_0_0 <= slice1winner2_best_index_0_0;
+      end if;
+      if slice1_best_tag_row_start_choice_3 then
+        slice1_best_tag_row_start <= slice1_best_tag_row_start or slice1_best_tag_row_start_all_2;
+      else
+        slice1_best_tag_row_start <= slice1_best_tag_row_start and ((not slice1_best_tag_valid) or (not
+          slice1_best_tag_map_column));
+      end if;
       -- map
       if slice1_best_tag_row_start_all_2 then
-        map_counter_column <= 0 when slice1_best_tag_start_of_frame or slice1_best_tag_row_start_is_equal_3 else
-          (map_counter_column + 1) mod 512;
+        if slice1_best_tag_start_of_frame or slice1_best_tag_row_start_is_equal_3 then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 512;
+        end if;
       end if;
-      map_counter_group_choice := 1 when slice1_best_tag_row_start_is_equal and slice1_best_tag_row_start else
-        (map_counter_group + 1) mod 128;
-      map_counter_group_choice_2 := map_counter_group_choice when (map_counter_group /= 65) and
-        slice1_best_tag_row_start_is_equal_3 and slice1_best_tag_valid and slice1_best_tag_map_column else
-        map_counter_group;
-      map_line_ended_choice := slice1_best_tag_map_column when slice1_best_tag_valid else map_line_ended;
+      if slice1_best_tag_row_start_is_equal and slice1_best_tag_row_start then
+        map_counter_group_choice := 1;
+      else
+        map_counter_group_choice := (map_counter_group + 1) mod 128;
+      end if;
+      if (map_counter_group /= 65) and slice1_best_tag_row_start_is_equal_3 and slice1_best_tag_valid and
+        slice1_best_tag_map_column then
+        map_counter_group_choice_2 := map_counter_group_choice;
+      else
+        map_counter_group_choice_2 := map_counter_group;
+      end if;
+      if slice1_best_tag_valid then
+        map_line_ended_choice := slice1_best_tag_map_column;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
       map_of_column_0_b_below_a_value := ((map_column_1 / 4) mod 2) = 1;
-      map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value when map_at_top else ((other_0 / 4) mod 2) =
-        1;
+      if map_at_top then
+        map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value;
+      else
+        map_of_column_0_b_below_a_choice := ((other_0 / 4) mod 2) = 1;
+      end if;
       map_of_column_0_b_below_a_value_2 := ((map_column_1 / 2) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_2 when map_at_top else ((other_0 / 2) mod
-        2) = 1;
-      map_of_column_0_b_below_a_choice_3 := (not map_of_column_0_b_below_a_value) or (not
-        map_of_column_0_b_below_a_value_2) when map_of_column_0_b_below_a_choice_2 else not
-        map_of_column_0_b_below_a_value;
-      map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_3 when map_of_column_0_b_below_a_choice
-        else map_of_column_0_b_below_a_choice_2 and (((map_column_1 / 2) mod 4) = 0);
+      if map_at_top then
+        map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_2;
+      else
+        map_of_column_0_b_below_a_choice_2 := ((other_0 / 2) mod 2) = 1;
+      end if;
+      if map_of_column_0_b_below_a_choice_2 then
+        map_of_column_0_b_below_a_choice_3 := (not map_of_column_0_b_below_a_value) or (not
+          map_of_column_0_b_below_a_value_2);
+      else
+        map_of_column_0_b_below_a_choice_3 := not map_of_column_0_b_below_a_value;
+      end if;
+      if map_of_column_0_b_below_a_choice then
+        map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_3;
+      else
+        map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_2 and (((map_column_1 / 2) mod 4) = 0);
+      end if;
       map_of_column_0_b_below_a_value_3 := ((map_column_1 / 8) mod 2) = 1;
       map_of_column_0_b_below_a_value_4 := ((other_0 / 8) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_5 := map_of_column_0_b_below_a_value_3 and (not
-        map_of_column_0_b_below_a_value_4) and (not map_at_top) when map_of_column_0_b_below_a_choice_4 else
-        map_of_column_0_b_below_a_value_3 or (not map_of_column_0_b_below_a_value_4) or map_at_top;
+      if map_of_column_0_b_below_a_choice_4 then
+        map_of_column_0_b_below_a_choice_5 := map_of_column_0_b_below_a_value_3 and (not
+          map_of_column_0_b_below_a_value_4) and (not map_at_top);
+      else
+        map_of_column_0_b_below_a_choice_5 := map_of_column_0_b_below_a_value_3 or (not
+          map_of_column_0_b_below_a_value_4) or map_at_top;
+      end if;
       map_of_column_0_c_below_a_value := ((map_column_2 / 4) mod 2) = 1;
-      map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value when map_counter_next_frame else
-        map_of_column_0_c_below_a_value;
+      if map_counter_next_frame then
+        map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value;
+      else
+        map_of_column_0_c_below_a_choice := map_of_column_0_c_below_a_value;
+      end if;
       map_of_column_0_c_below_a_value_2 := ((map_column_2 / 2) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_2 := (not map_of_column_0_b_below_a_value_2) and map_counter_next_frame when
-        map_of_column_0_c_below_a_value_2 else (not map_of_column_0_b_below_a_value_2) or (not map_counter_next_frame);
-      map_of_column_0_c_below_a_choice_3 := map_of_column_0_b_below_a_choice_2 and map_of_column_0_c_below_a_choice_2
-        and map_of_column_0_b_below_a_choice when map_of_column_0_c_below_a_choice else
-        (map_of_column_0_b_below_a_choice_2 and map_of_column_0_c_below_a_choice_2) or map_of_column_0_b_below_a_choice;
+      if map_of_column_0_c_below_a_value_2 then
+        map_of_column_0_c_below_a_choice_2 := (not map_of_column_0_b_below_a_value_2) and map_counter_next_frame;
+      else
+        map_of_column_0_c_below_a_choice_2 := (not map_of_column_0_b_below_a_value_2) or (not map_counter_next_frame);
+      end if;
+      if map_of_column_0_c_below_a_choice then
+        map_of_column_0_c_below_a_choice_3 := map_of_column_0_b_below_a_choice_2 and map_of_column_0_c_below_a_choice_2
+          and map_of_column_0_b_below_a_choice;
+      else
+        map_of_column_0_c_below_a_choice_3 := (map_of_column_0_b_below_a_choice_2 and
+          map_of_column_0_c_below_a_choice_2) or map_of_column_0_b_below_a_choice;
+      end if;
       map_of_column_0_c_below_a_value_3 := ((map_column_2 / 8) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_4 := map_of_column_0_b_below_a_value_3 when map_counter_next_frame else
-        map_of_column_0_c_below_a_value_3;
-      map_of_column_0_c_below_a_choice_5 := map_of_column_0_b_below_a_value_3 when map_at_top else
-        map_of_column_0_b_below_a_value_4;
-      map_of_column_0_c_below_a_choice_6 := (not map_of_column_0_c_below_a_choice_4) or
-        map_of_column_0_c_below_a_choice_5 when map_of_column_0_c_below_a_choice_3 else (not
-        map_of_column_0_c_below_a_choice_4) and map_of_column_0_c_below_a_choice_5;
-      map_of_column_0_c_below_a_choice_7 := (map_column_1 / 16) = 1 when map_counter_next_frame else (map_column_2 /
-        16) = 1;
-      map_of_column_0_c_below_a_choice_8 := (map_column_1 / 16) = 1 when map_at_top else (other_0 / 16) = 1;
-      map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value and (not map_of_column_0_b_below_a_value) and
-        (not map_counter_next_frame) when (not map_of_column_0_c_below_a_value_2) and map_of_column_0_b_below_a_value_2
-        and (not map_counter_next_frame) else map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value)
-        or map_counter_next_frame;
-      map_of_column_0_c_below_b_choice_2 := map_of_column_0_c_below_a_value_3 or (not
-        map_of_column_0_b_below_a_value_3) or map_counter_next_frame when map_of_column_0_c_below_b_choice else
-        map_of_column_0_c_below_a_value_3 and (not map_of_column_0_b_below_a_value_3) and (not map_counter_next_frame);
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
-      map_sorted_middle_0_choice := map_of_column_0_b when map_of_column_0_c_below_b else map_sorted_low_0_choice_2;
-      map_sorted_middle_0_choice_2 := map_of_column_0_a when map_of_column_0_c_below_a else map_sorted_low_0_choice;
-      map_sorted_high_0_choice := map_of_column_0_a when map_of_column_0_c_below_a else map_of_column_0_c;
-      map_sorted_high_0_choice_2 := map_of_column_0_b when map_of_column_0_c_below_b else map_of_column_0_c;
+      if map_counter_next_frame then
+        map_of_column_0_c_below_a_choice_4 := map_of_column_0_b_below_a_value_3;
+      else
+        map_of_column_0_c_below_a_choice_4 := map_of_column_0_c_below_a_value_3;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_5 := map_of_column_0_b_below_a_value_3;
+      else
+        map_of_column_0_c_below_a_choice_5 := map_of_column_0_b_below_a_value_4;
+      end if;
+      if map_of_column_0_c_below_a_choice_3 then
+        map_of_column_0_c_below_a_choice_6 := (not map_of_column_0_c_below_a_choice_4) or
+          map_of_column_0_c_below_a_choice_5;
+      else
+        map_of_column_0_c_below_a_choice_6 := (not map_of_column_0_c_below_a_choice_4) and
+          map_of_column_0_c_below_a_choice_5;
+      end if;
+      if map_counter_next_frame then
+        map_of_column_0_c_below_a_choice_7 := (map_column_1 / 16) = 1;
+      else
+        map_of_column_0_c_below_a_choice_7 := (map_column_2 / 16) = 1;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_8 := (map_column_1 / 16) = 1;
+      else
+        map_of_column_0_c_below_a_choice_8 := (other_0 / 16) = 1;
+      end if;
+      if (not map_of_column_0_c_below_a_value_2) and map_of_column_0_b_below_a_value_2 and (not map_counter_next_frame)
+        then
+        map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value and (not map_of_column_0_b_below_a_value)
+          and (not map_counter_next_frame);
+      else
+        map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value) or
+          map_counter_next_frame;
+      end if;
+      if map_of_column_0_c_below_b_choice then
+        map_of_column_0_c_below_b_choice_2 := map_of_column_0_c_below_a_value_3 or (not
+          map_of_column_0_b_below_a_value_3) or map_counter_next_frame;
+      else
+        map_of_column_0_c_below_b_choice_2 := map_of_column_0_c_below_a_value_3 and (not
+          map_of_column_0_b_below_a_value_3) and (not map_counter_next_frame);
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_middle_0_choice := map_of_column_0_b;
+      else
+        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_middle_0_choice_2 := map_of_column_0_a;
+      else
+        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_high_0_choice := map_of_column_0_a;
+      else
+        map_sorted_high_0_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_high_0_choice_2 := map_of_column_0_b;
+      else
+        map_sorted_high_0_choice_2 := map_of_column_0_c;
+      end if;
       map_window_complete_is_equal := map_sorted_column = 0;
-      map_window_complete_choice := map_sorted_behind when map_window_complete_is_equal else map_sorted_arrives or
-        map_sorted_behind;
+      if map_window_complete_is_equal then
+        map_window_complete_choice := map_sorted_behind;
+      else
+        map_window_complete_choice := map_sorted_arrives or map_sorted_behind;
+      end if;
       map_of_low_0_b_below_a_value := ((map_low_0_0 / 2) mod 2) = 1;
-      map_of_low_0_b_below_a_choice := (not (((map_low_1_0 / 2) mod 2) = 1)) or (not ((map_low_1_0 mod 2) = 1)) when
-        (map_low_0_0 mod 2) = 1 else not (((map_low_1_0 / 2) mod 2) = 1);
+      if (map_low_0_0 mod 2) = 1 then
+        map_of_low_0_b_below_a_choice := (not (((map_low_1_0 / 2) mod 2) = 1)) or (not ((map_low_1_0 mod 2) = 1));
+      else
+        map_of_low_0_b_below_a_choice := not (((map_low_1_0 / 2) mod 2) = 1);
+      end if;
       map_of_low_0_b_below_a_is_equal := (map_low_1_0 mod 4) = 0;
-      map_of_low_0_b_below_a_choice_2 := map_of_low_0_b_below_a_choice when map_of_low_0_b_below_a_value else
-        ((map_low_0_0 mod 2) = 1) and map_of_low_0_b_below_a_is_equal;
+      if map_of_low_0_b_below_a_value then
+        map_of_low_0_b_below_a_choice_2 := map_of_low_0_b_below_a_choice;
+      else
+        map_of_low_0_b_below_a_choice_2 := ((map_low_0_0 mod 2) = 1) and map_of_low_0_b_below_a_is_equal;
+      end if;
       map_of_low_0_b_below_a_value_2 := ((map_low_0_0 / 4) mod 2) = 1;
       map_of_low_0_b_below_a_value_3 := ((map_low_1_0 / 4) mod 2) = 1;
-      map_of_low_0_b_below_a_choice_3 := (not map_of_low_0_b_below_a_value_2) and map_of_low_0_b_below_a_value_3 when
-        map_of_low_0_b_below_a_choice_2 else (not map_of_low_0_b_below_a_value_2) or map_of_low_0_b_below_a_value_3;
+      if map_of_low_0_b_below_a_choice_2 then
+        map_of_low_0_b_below_a_choice_3 := (not map_of_low_0_b_below_a_value_2) and map_of_low_0_b_below_a_value_3;
+      else
+        map_of_low_0_b_below_a_choice_3 := (not map_of_low_0_b_below_a_value_2) or map_of_low_0_b_below_a_value_3;
+      end if;
       map_of_low_0_c_below_a_value := ((map_low_2_0 / 2) mod 2) = 1;
-      map_of_low_0_c_below_a_choice := not map_of_low_0_b_below_a_value when (map_low_2_0 mod 2) = 1 else (map_low_0_0
-        mod 4) = 0;
-      map_of_low_0_c_below_a_choice_2 := ((map_low_2_0 mod 2) = 1) or (not map_of_low_0_b_below_a_value) or (not
-        ((map_low_0_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_a_choice;
-      map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_2 when
-        map_of_low_0_c_below_a_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_2;
-      map_of_low_0_c_below_b_choice := not (((map_low_1_0 / 2) mod 2) = 1) when (map_low_2_0 mod 2) = 1 else
-        map_of_low_0_b_below_a_is_equal;
-      map_of_low_0_c_below_b_choice_2 := ((map_low_2_0 mod 2) = 1) or (not (((map_low_1_0 / 2) mod 2) = 1)) or (not
-        ((map_low_1_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_b_choice;
-      map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_3 when
-        map_of_low_0_c_below_b_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_3;
+      if (map_low_2_0 mod 2) = 1 then
+        map_of_low_0_c_below_a_choice := not map_of_low_0_b_below_a_value;
+      else
+        map_of_low_0_c_below_a_choice := (map_low_0_0 mod 4) = 0;
+      end if;
+      if map_of_low_0_c_below_a_value then
+        map_of_low_0_c_below_a_choice_2 := ((map_low_2_0 mod 2) = 1) or (not map_of_low_0_b_below_a_value) or (not
+          ((map_low_0_0 mod 2) = 1));
+      else
+        map_of_low_0_c_below_a_choice_2 := map_of_low_0_c_below_a_choice;
+      end if;
+      if map_of_low_0_c_below_a_choice_2 then
+        map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_2;
+      else
+        map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_2;
+      end if;
+      if (map_low_2_0 mod 2) = 1 then
+        map_of_low_0_c_below_b_choice := not (((map_low_1_0 / 2) mod 2) = 1);
+      else
+        map_of_low_0_c_below_b_choice := map_of_low_0_b_below_a_is_equal;
+      end if;
+      if map_of_low_0_c_below_a_value then
+        map_of_low_0_c_below_b_choice_2 := ((map_low_2_0 mod 2) = 1) or (not (((map_low_1_0 / 2) mod 2) = 1)) or (not
+          ((map_low_1_0 mod 2) = 1));
+      else
+        map_of_low_0_c_below_b_choice_2 := map_of_low_0_c_below_b_choice;
+      end if;
+      if map_of_low_0_c_below_b_choice_2 then
+        map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_3;
+      else
+        map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_3;
+      end if;
       map_of_middle_0_b_below_a_value := ((map_middle_0_0 / 2) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice := (not (((map_middle_1_0 / 2) mod 2) = 1)) or (not ((map_middle_1_0 mod 2) =
-        1)) when (map_middle_0_0 mod 2) = 1 else not (((map_middle_1_0 / 2) mod 2) = 1);
+      if (map_middle_0_0 mod 2) = 1 then
+        map_of_middle_0_b_below_a_choice := (not (((map_middle_1_0 / 2) mod 2) = 1)) or (not ((map_middle_1_0 mod 2) =
+          1));
+      else
+        map_of_middle_0_b_below_a_choice := not (((map_middle_1_0 / 2) mod 2) = 1);
+      end if;
       map_of_middle_0_b_below_a_is_equal := (map_middle_1_0 mod 4) = 0;
-      map_of_middle_0_b_below_a_choice_2 := map_of_middle_0_b_below_a_choice when map_of_middle_0_b_below_a_value else
-        ((map_middle_0_0 mod 2) = 1) and map_of_middle_0_b_below_a_is_equal;
+      if map_of_middle_0_b_below_a_value then
+        map_of_middle_0_b_below_a_choice_2 := map_of_middle_0_b_below_a_choice;
+      else
+        map_of_middle_0_b_below_a_choice_2 := ((map_middle_0_0 mod 2) = 1) and map_of_middle_0_b_below_a_is_equal;
+      end if;
       map_of_middle_0_b_below_a_value_2 := ((map_middle_0_0 / 4) mod 2) = 1;
       map_of_middle_0_b_below_a_value_3 := ((map_middle_1_0 / 4) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) and
-        map_of_middle_0_b_below_a_value_3 when map_of_middle_0_b_below_a_choice_2 else (not
-        map_of_middle_0_b_below_a_value_2) or map_of_middle_0_b_below_a_value_3;
+      if map_of_middle_0_b_below_a_choice_2 then
+        map_of_middle_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) and
+          map_of_middle_0_b_below_a_value_3;
+      else
+        map_of_middle_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) or
+          map_of_middle_0_b_below_a_value_3;
+      end if;
       map_of_middle_0_c_below_a_value := ((map_middle_2_0 / 2) mod 2) = 1;
-      map_of_middle_0_c_below_a_choice := not map_of_middle_0_b_below_a_value when (map_middle_2_0 mod 2) = 1 else
-        (map_middle_0_0 mod 4) = 0;
-      map_of_middle_0_c_below_a_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not map_of_middle_0_b_below_a_value) or
-        (not ((map_middle_0_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_a_choice;
-      map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
-        map_of_middle_0_b_below_a_value_2 when map_of_middle_0_c_below_a_choice_2 else (not (((map_middle_2_0 / 4) mod
-        2) = 1)) or map_of_middle_0_b_below_a_value_2;
-      map_of_middle_0_c_below_b_choice := not (((map_middle_1_0 / 2) mod 2) = 1) when (map_middle_2_0 mod 2) = 1 else
-        map_of_middle_0_b_below_a_is_equal;
-      map_of_middle_0_c_below_b_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not (((map_middle_1_0 / 2) mod 2) = 1)) or
-        (not ((map_middle_1_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_b_choice;
-      map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
-        map_of_middle_0_b_below_a_value_3 when map_of_middle_0_c_below_b_choice_2 else (not (((map_middle_2_0 / 4) mod
-        2) = 1)) or map_of_middle_0_b_below_a_value_3;
+      if (map_middle_2_0 mod 2) = 1 then
+        map_of_middle_0_c_below_a_choice := not map_of_middle_0_b_below_a_value;
+      else
+        map_of_middle_0_c_below_a_choice := (map_middle_0_0 mod 4) = 0;
+      end if;
+      if map_of_middle_0_c_below_a_value then
+        map_of_middle_0_c_below_a_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not map_of_middle_0_b_below_a_value) or
+          (not ((map_middle_0_0 mod 2) = 1));
+      else
+        map_of_middle_0_c_below_a_choice_2 := map_of_middle_0_c_below_a_choice;
+      end if;
+      if map_of_middle_0_c_below_a_choice_2 then
+        map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_2;
+      else
+        map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_2;
+      end if;
+      if (map_middle_2_0 mod 2) = 1 then
+        map_of_middle_0_c_below_b_choice := not (((map_middle_1_0 / 2) mod 2) = 1);
+      else
+        map_of_middle_0_c_below_b_choice := map_of_middle_0_b_below_a_is_equal;
+      end if;
+      if map_of_middle_0_c_below_a_value then
+        map_of_middle_0_c_below_b_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not (((map_middle_1_0 / 2) mod 2) = 1))
+          or (not ((map_middle_1_0 mod 2) = 1));
+      else
+        map_of_middle_0_c_below_b_choice_2 := map_of_middle_0_c_below_b_choice;
+      end if;
+      if map_of_middle_0_c_below_b_choice_2 then
+        map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_3;
+      else
+        map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_3;
+      end if;
       map_of_high_0_b_below_a_value := ((map_high_0_0 / 2) mod 2) = 1;
-      map_of_high_0_b_below_a_choice := (not (((map_high_1_0 / 2) mod 2) = 1)) or (not ((map_high_1_0 mod 2) = 1)) when
-        (map_high_0_0 mod 2) = 1 else not (((map_high_1_0 / 2) mod 2) = 1);
+      if (map_high_0_0 mod 2) = 1 then
+        map_of_high_0_b_below_a_choice := (not (((map_high_1_0 / 2) mod 2) = 1)) or (not ((map_high_1_0 mod 2) = 1));
+      else
+        map_of_high_0_b_below_a_choice := not (((map_high_1_0 / 2) mod 2) = 1);
+      end if;
       map_of_high_0_b_below_a_is_equal := (map_high_1_0 mod 4) = 0;
-      map_of_high_0_b_below_a_choice_2 := map_of_high_0_b_below_a_choice when map_of_high_0_b_below_a_value else
-        ((map_high_0_0 mod 2) = 1) and map_of_high_0_b_below_a_is_equal;
+      if map_of_high_0_b_below_a_value then
+        map_of_high_0_b_below_a_choice_2 := map_of_high_0_b_below_a_choice;
+      else
+        map_of_high_0_b_below_a_choice_2 := ((map_high_0_0 mod 2) = 1) and map_of_high_0_b_below_a_is_equal;
+      end if;
       map_of_high_0_b_below_a_value_2 := ((map_high_0_0 / 4) mod 2) = 1;
       map_of_high_0_b_below_a_value_3 := ((map_high_1_0 / 4) mod 2) = 1;
-      map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) and map_of_high_0_b_below_a_value_3
-        when map_of_high_0_b_below_a_choice_2 else (not map_of_high_0_b_below_a_value_2) or
-        map_of_high_0_b_below_a_value_3;
+      if map_of_high_0_b_below_a_choice_2 then
+        map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) and map_of_high_0_b_below_a_value_3;
+      else
+        map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) or map_of_high_0_b_below_a_value_3;
+      end if;
       map_of_high_0_c_below_a_value := ((map_high_2_0 / 2) mod 2) = 1;
-      map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value when (map_high_2_0 mod 2) = 1 else
-        (map_high_0_0 mod 4) = 0;
-      map_of_high_0_c_below_a_choice_2 := ((map_high_2_0 mod 2) = 1) or (not map_of_high_0_b_below_a_value) or (not
-        ((map_high_0_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_a_choice;
-      map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_2
-        when map_of_high_0_c_below_a_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
-        map_of_high_0_b_below_a_value_2;
-      map_of_high_0_c_below_b_choice := not (((map_high_1_0 / 2) mod 2) = 1) when (map_high_2_0 mod 2) = 1 else
-        map_of_high_0_b_below_a_is_equal;
-      map_of_high_0_c_below_b_choice_2 := ((map_high_2_0 mod 2) = 1) or (not (((map_high_1_0 / 2) mod 2) = 1)) or (not
-        ((map_high_1_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_b_choice;
-      map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_3
-        when map_of_high_0_c_below_b_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
-        map_of_high_0_b_below_a_value_3;
-      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
-        map_median_middle_0_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
+      if (map_high_2_0 mod 2) = 1 then
+        map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value;
+      else
+        map_of_high_0_c_below_a_choice := (map_high_0_0 mod 4) = 0;
+      end if;
+      if map_of_high_0_c_below_a_value then
+        map_of_high_0_c_below_a_choice_2 := ((map_high_2_0 mod 2) = 1) or (not map_of_high_0_b_below_a_value) or (not
+          ((map_high_0_0 mod 2) = 1));
+      else
+        map_of_high_0_c_below_a_choice_2 := map_of_high_0_c_below_a_choice;
+      end if;
+      if map_of_high_0_c_below_a_choice_2 then
+        map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_2;
+      else
+        map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) or map_of_high_0_b_below_a_value_2;
+      end if;
+      if (map_high_2_0 mod 2) = 1 then
+        map_of_high_0_c_below_b_choice := not (((map_high_1_0 / 2) mod 2) = 1);
+      else
+        map_of_high_0_c_below_b_choice := map_of_high_0_b_below_a_is_equal;
+      end if;
+      if map_of_high_0_c_below_a_value then
+        map_of_high_0_c_below_b_choice_2 := ((map_high_2_0 mod 2) = 1) or (not (((map_high_1_0 / 2) mod 2) = 1)) or
+          (not ((map_high_1_0 mod 2) = 1));
+      else
+        map_of_high_0_c_below_b_choice_2 := map_of_high_0_c_below_b_choice;
+      end if;
+      if map_of_high_0_c_below_b_choice_2 then
+        map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_3;
+      else
+        map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) or map_of_high_0_b_below_a_value_3;
+      end if;
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice := map_of_low_0_a;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice_2 := map_of_low_0_b;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_2 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_4 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
       map_of_all_0_b_below_a_value := ((map_largest_low_0 / 2) mod 2) = 1;
-      map_of_all_0_b_below_a_choice := (not (((map_median_middle_0 / 2) mod 2) = 1)) or (not ((map_median_middle_0 mod
-        2) = 1)) when (map_largest_low_0 mod 2) = 1 else not (((map_median_middle_0 / 2) mod 2) = 1);
+      if (map_largest_low_0 mod 2) = 1 then
+        map_of_all_0_b_below_a_choice := (not (((map_median_middle_0 / 2) mod 2) = 1)) or (not ((map_median_middle_0
+          mod 2) = 1));
+      else
+        map_of_all_0_b_below_a_choice := not (((map_median_middle_0 / 2) mod 2) = 1);
+      end if;
       map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
-      map_of_all_0_b_below_a_choice_2 := map_of_all_0_b_below_a_choice when map_of_all_0_b_below_a_value else
-        ((map_largest_low_0 mod 2) = 1) and map_of_all_0_b_below_a_is_equal;
+      if map_of_all_0_b_below_a_value then
+        map_of_all_0_b_below_a_choice_2 := map_of_all_0_b_below_a_choice;
+      else
+        map_of_all_0_b_below_a_choice_2 := ((map_largest_low_0 mod 2) = 1) and map_of_all_0_b_below_a_is_equal;
+      end if;
       map_of_all_0_b_below_a_value_2 := ((map_largest_low_0 / 4) mod 2) = 1;
       map_of_all_0_b_below_a_value_3 := ((map_median_middle_0 / 4) mod 2) = 1;
-      map_of_all_0_b_below_a_choice_3 := (not map_of_all_0_b_below_a_value_2) and map_of_all_0_b_below_a_value_3 when
-        map_of_all_0_b_below_a_choice_2 else (not map_of_all_0_b_below_a_value_2) or map_of_all_0_b_below_a_value_3;
+      if map_of_all_0_b_below_a_choice_2 then
+        map_of_all_0_b_below_a_choice_3 := (not map_of_all_0_b_below_a_value_2) and map_of_all_0_b_below_a_value_3;
+      else
+        map_of_all_0_b_below_a_choice_3 := (not map_of_all_0_b_below_a_value_2) or map_of_all_0_b_below_a_value_3;
+      end if;
       map_of_all_0_c_below_a_value := ((map_smallest_high_0 / 2) mod 2) = 1;
-      map_of_all_0_c_below_a_choice := not map_of_all_0_b_below_a_value when (map_smallest_high_0 mod 2) = 1 else
-        (map_largest_low_0 mod 4) = 0;
-      map_of_all_0_c_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not map_of_all_0_b_below_a_value) or
-        (not ((map_largest_low_0 mod 2) = 1)) when map_of_all_0_c_below_a_value else map_of_all_0_c_below_a_choice;
-      map_of_all_0_c_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
-        map_of_all_0_b_below_a_value_2 when map_of_all_0_c_below_a_choice_2 else (not (((map_smallest_high_0 / 4) mod
-        2) = 1)) or map_of_all_0_b_below_a_value_2;
-      map_of_all_0_c_below_b_choice := not (((map_median_middle_0 / 2) mod 2) = 1) when (map_smallest_high_0 mod 2) = 1
-        else map_of_all_0_b_below_a_is_equal;
-      map_of_all_0_c_below_b_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not (((map_median_middle_0 / 2) mod 2) =
-        1)) or (not ((map_median_middle_0 mod 2) = 1)) when map_of_all_0_c_below_a_value else
-        map_of_all_0_c_below_b_choice;
-      map_of_all_0_c_below_b_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
-        map_of_all_0_b_below_a_value_3 when map_of_all_0_c_below_b_choice_2 else (not (((map_smallest_high_0 / 4) mod
-        2) = 1)) or map_of_all_0_b_below_a_value_3;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_counter_group <= as_number(slice1_best_tag_row_start_all) * 64 when slice1_best_tag_start_of_frame and
-        slice1_best_tag_valid and slice1_best_tag_map_column else map_counter_group_choice_2;
+      if (map_smallest_high_0 mod 2) = 1 then
+        map_of_all_0_c_below_a_choice := not map_of_all_0_b_below_a_value;
+      else
+        map_of_all_0_c_below_a_choice := (map_largest_low_0 mod 4) = 0;
+      end if;
+      if map_of_all_0_c_below_a_value then
+        map_of_all_0_c_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not map_of_all_0_b_below_a_value) or
+          (not ((map_largest_low_0 mod 2) = 1));
+      else
+        map_of_all_0_c_below_a_choice_2 := map_of_all_0_c_below_a_choice;
+      end if;
+      if map_of_all_0_c_below_a_choice_2 then
+        map_of_all_0_c_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+          map_of_all_0_b_below_a_value_2;
+      else
+        map_of_all_0_c_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) or
+          map_of_all_0_b_below_a_value_2;
+      end if;
+      if (map_smallest_high_0 mod 2) = 1 then
+        map_of_all_0_c_below_b_choice := not (((map_median_middle_0 / 2) mod 2) = 1);
+      else
+        map_of_all_0_c_below_b_choice := map_of_all_0_b_below_a_is_equal;
+      end if;
+      if map_of_all_0_c_below_a_value then
+        map_of_all_0_c_below_b_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not (((map_median_middle_0 / 2) mod 2)
+          = 1)) or (not ((map_median_middle_0 mod 2) = 1));
+      else
+        map_of_all_0_c_below_b_choice_2 := map_of_all_0_c_below_b_choice;
+      end if;
+      if map_of_all_0_c_below_b_choice_2 then
+        map_of_all_0_c_below_b_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+          map_of_all_0_b_below_a_value_3;
+      else
+        map_of_all_0_c_below_b_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) or
+          map_of_all_0_b_below_a_value_3;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
       map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
       map_newest_0 <= (slice1_best_index_0_0 * 2) + 1;
       map_arrives <= slice1_best_tag_row_start_all_2;
       map_behind <= map_line_ended and slice1_best_tag_valid;
-      map_line_ended <= map_line_ended_choice when slice1_best_tag_end_of_line else map_line_ended and (not
-        slice1_best_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -1327,17 +1776,7 @@ begin
       map_at_behind <= to_integer(other_1(24 downto 24)) = 1;
       map_at_top <= to_integer(other_1(32 downto 32)) = 1;
       map_at_output <= to_integer(other_1(48 downto 48)) = 1;
-      map_of_column_0_a <= map_column_1 / 2 when map_at_top else other_0 / 2;
       map_of_column_0_b <= map_column_1 / 2;
-      map_of_column_0_c <= map_column_1 / 2 when map_counter_next_frame else map_column_2 / 2;
-      map_of_column_0_b_below_a <= (not ((map_column_1 / 16) = 1)) and ((other_0 / 16) = 1) and (not map_at_top) when
-        map_of_column_0_b_below_a_choice_5 else (not ((map_column_1 / 16) = 1)) or ((other_0 / 16) = 1) or map_at_top;
-      map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_7) or map_of_column_0_c_below_a_choice_8 when
-        map_of_column_0_c_below_a_choice_6 else (not map_of_column_0_c_below_a_choice_7) and
-        map_of_column_0_c_below_a_choice_8;
-      map_of_column_0_c_below_b <= (not ((map_column_2 / 16) = 1)) and ((map_column_1 / 16) = 1) and (not
-        map_counter_next_frame) when map_of_column_0_c_below_b_choice_2 else (not ((map_column_2 / 16) = 1)) or
-        ((map_column_1 / 16) = 1) or map_counter_next_frame;
       map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
       map_column_passed_1_0 <= map_column_passed_0_0;
       map_comparing_column <= map_at_column;
@@ -1350,55 +1789,21 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
-        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
       map_window_complete <= map_sorted_output and map_window_complete_choice;
       map_window_first <= map_sorted_top and (map_sorted_column = 1) and map_sorted_arrives;
       map_window_last <= map_sorted_behind;
       map_of_low_0_a <= map_low_0_0;
       map_of_low_0_b <= map_low_1_0;
       map_of_low_0_c <= map_low_2_0;
-      map_of_low_0_b_below_a <= ((map_low_0_0 / 8) = 1) and (not ((map_low_1_0 / 8) = 1)) when
-        map_of_low_0_b_below_a_choice_3 else ((map_low_0_0 / 8) = 1) or (not ((map_low_1_0 / 8) = 1));
-      map_of_low_0_c_below_a <= (not ((map_low_2_0 / 8) = 1)) or ((map_low_0_0 / 8) = 1) when
-        map_of_low_0_c_below_a_choice_3 else (not ((map_low_2_0 / 8) = 1)) and ((map_low_0_0 / 8) = 1);
-      map_of_low_0_c_below_b <= (not ((map_low_2_0 / 8) = 1)) or ((map_low_1_0 / 8) = 1) when
-        map_of_low_0_c_below_b_choice_3 else (not ((map_low_2_0 / 8) = 1)) and ((map_low_1_0 / 8) = 1);
       map_of_middle_0_a <= map_middle_0_0;
       map_of_middle_0_b <= map_middle_1_0;
       map_of_middle_0_c <= map_middle_2_0;
-      map_of_middle_0_b_below_a <= ((map_middle_0_0 / 8) = 1) and (not ((map_middle_1_0 / 8) = 1)) when
-        map_of_middle_0_b_below_a_choice_3 else ((map_middle_0_0 / 8) = 1) or (not ((map_middle_1_0 / 8) = 1));
-      map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 8) = 1)) or ((map_middle_0_0 / 8) = 1) when
-        map_of_middle_0_c_below_a_choice_3 else (not ((map_middle_2_0 / 8) = 1)) and ((map_middle_0_0 / 8) = 1);
-      map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 8) = 1)) or ((map_middle_1_0 / 8) = 1) when
-        map_of_middle_0_c_below_b_choice_3 else (not ((map_middle_2_0 / 8) = 1)) and ((map_middle_1_0 / 8) = 1);
       map_of_high_0_a <= map_high_0_0;
       map_of_high_0_b <= map_high_1_0;
       map_of_high_0_c <= map_high_2_0;
-      map_of_high_0_b_below_a <= ((map_high_0_0 / 8) = 1) and (not ((map_high_1_0 / 8) = 1)) when
-        map_of_high_0_b_below_a_choice_3 else ((map_high_0_0 / 8) = 1) or (not ((map_high_1_0 / 8) = 1));
-      map_of_high_0_c_below_a <= (not ((map_high_2_0 / 8) = 1)) or ((map_high_0_0 / 8) = 1) when
-        map_of_high_0_c_below_a_choice_3 else (not ((map_high_2_0 / 8) = 1)) and ((map_high_0_0 / 8) = 1);
-      map_of_high_0_c_below_b <= (not ((map_high_2_0 / 8) = 1)) or ((map_high_1_0 / 8) = 1) when
-        map_of_high_0_c_below_b_choice_3 else (not ((map_high_2_0 / 8) = 1)) and ((map_high_1_0 / 8) = 1);
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
-        map_median_middle_0_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
-      map_of_all_0_b_below_a <= ((map_largest_low_0 / 8) = 1) and (not ((map_median_middle_0 / 8) = 1)) when
-        map_of_all_0_b_below_a_choice_3 else ((map_largest_low_0 / 8) = 1) or (not ((map_median_middle_0 / 8) = 1));
-      map_of_all_0_c_below_a <= (not ((map_smallest_high_0 / 8) = 1)) or ((map_largest_low_0 / 8) = 1) when
-        map_of_all_0_c_below_a_choice_3 else (not ((map_smallest_high_0 / 8) = 1)) and ((map_largest_low_0 / 8) = 1);
-      map_of_all_0_c_below_b <= (not ((map_smallest_high_0 / 8) = 1)) or ((map_median_middle_0 / 8) = 1) when
-        map_of_all_0_c_below_b_choice_3 else (not ((map_smallest_high_0 / 8) = 1)) and ((map_median_middle_0 / 8) = 1);
       map_waiting_0_complete <= map_window_complete;
       map_waiting_0_first <= map_window_first;
       map_waiting_0_last <= map_window_last;
@@ -1411,30 +1816,178 @@ begin
       map_waiting_passed_0_0 <= map_passed_1_0;
       map_waiting_passed_1_0 <= map_waiting_passed_0_0;
       map_waiting_passed_2_0 <= map_waiting_passed_1_0;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if slice1_best_tag_start_of_frame and slice1_best_tag_valid and slice1_best_tag_map_column then
+        map_counter_group <= as_number(slice1_best_tag_row_start_all) * 64;
+      else
+        map_counter_group <= map_counter_group_choice_2;
+      end if;
+      if slice1_best_tag_end_of_line then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= map_line_ended and (not slice1_best_tag_valid);
+      end if;
+      if map_at_top then
+        map_of_column_0_a <= map_column_1 / 2;
+      else
+        map_of_column_0_a <= other_0 / 2;
+      end if;
+      if map_counter_next_frame then
+        map_of_column_0_c <= map_column_1 / 2;
+      else
+        map_of_column_0_c <= map_column_2 / 2;
+      end if;
+      if map_of_column_0_b_below_a_choice_5 then
+        map_of_column_0_b_below_a <= (not ((map_column_1 / 16) = 1)) and ((other_0 / 16) = 1) and (not map_at_top);
+      else
+        map_of_column_0_b_below_a <= (not ((map_column_1 / 16) = 1)) or ((other_0 / 16) = 1) or map_at_top;
+      end if;
+      if map_of_column_0_c_below_a_choice_6 then
+        map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_7) or map_of_column_0_c_below_a_choice_8;
+      else
+        map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_7) and map_of_column_0_c_below_a_choice_8;
+      end if;
+      if map_of_column_0_c_below_b_choice_2 then
+        map_of_column_0_c_below_b <= (not ((map_column_2 / 16) = 1)) and ((map_column_1 / 16) = 1) and (not
+          map_counter_next_frame);
+      else
+        map_of_column_0_c_below_b <= (not ((map_column_2 / 16) = 1)) or ((map_column_1 / 16) = 1) or
+          map_counter_next_frame;
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_passed_0_0 then
+        map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind;
+      else
+        map_passed_1_0 <= map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      end if;
+      if map_of_low_0_b_below_a_choice_3 then
+        map_of_low_0_b_below_a <= ((map_low_0_0 / 8) = 1) and (not ((map_low_1_0 / 8) = 1));
+      else
+        map_of_low_0_b_below_a <= ((map_low_0_0 / 8) = 1) or (not ((map_low_1_0 / 8) = 1));
+      end if;
+      if map_of_low_0_c_below_a_choice_3 then
+        map_of_low_0_c_below_a <= (not ((map_low_2_0 / 8) = 1)) or ((map_low_0_0 / 8) = 1);
+      else
+        map_of_low_0_c_below_a <= (not ((map_low_2_0 / 8) = 1)) and ((map_low_0_0 / 8) = 1);
+      end if;
+      if map_of_low_0_c_below_b_choice_3 then
+        map_of_low_0_c_below_b <= (not ((map_low_2_0 / 8) = 1)) or ((map_low_1_0 / 8) = 1);
+      else
+        map_of_low_0_c_below_b <= (not ((map_low_2_0 / 8) = 1)) and ((map_low_1_0 / 8) = 1);
+      end if;
+      if map_of_middle_0_b_below_a_choice_3 then
+        map_of_middle_0_b_below_a <= ((map_middle_0_0 / 8) = 1) and (not ((map_middle_1_0 / 8) = 1));
+      else
+        map_of_middle_0_b_below_a <= ((map_middle_0_0 / 8) = 1) or (not ((map_middle_1_0 / 8) = 1));
+      end if;
+      if map_of_middle_0_c_below_a_choice_3 then
+        map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 8) = 1)) or ((map_middle_0_0 / 8) = 1);
+      else
+        map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 8) = 1)) and ((map_middle_0_0 / 8) = 1);
+      end if;
+      if map_of_middle_0_c_below_b_choice_3 then
+        map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 8) = 1)) or ((map_middle_1_0 / 8) = 1);
+      else
+        map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 8) = 1)) and ((map_middle_1_0 / 8) = 1);
+      end if;
+      if map_of_high_0_b_below_a_choice_3 then
+        map_of_high_0_b_below_a <= ((map_high_0_0 / 8) = 1) and (not ((map_high_1_0 / 8) = 1));
+      else
+        map_of_high_0_b_below_a <= ((map_high_0_0 / 8) = 1) or (not ((map_high_1_0 / 8) = 1));
+      end if;
+      if map_of_high_0_c_below_a_choice_3 then
+        map_of_high_0_c_below_a <= (not ((map_high_2_0 / 8) = 1)) or ((map_high_0_0 / 8) = 1);
+      else
+        map_of_high_0_c_below_a <= (not ((map_high_2_0 / 8) = 1)) and ((map_high_0_0 / 8) = 1);
+      end if;
+      if map_of_high_0_c_below_b_choice_3 then
+        map_of_high_0_c_below_b <= (not ((map_high_2_0 / 8) = 1)) or ((map_high_1_0 / 8) = 1);
+      else
+        map_of_high_0_c_below_b <= (not ((map_high_2_0 / 8) = 1)) and ((map_high_1_0 / 8) = 1);
+      end if;
+      if map_of_low_0_b_below_a then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_all_0_b_below_a_choice_3 then
+        map_of_all_0_b_below_a <= ((map_largest_low_0 / 8) = 1) and (not ((map_median_middle_0 / 8) = 1));
+      else
+        map_of_all_0_b_below_a <= ((map_largest_low_0 / 8) = 1) or (not ((map_median_middle_0 / 8) = 1));
+      end if;
+      if map_of_all_0_c_below_a_choice_3 then
+        map_of_all_0_c_below_a <= (not ((map_smallest_high_0 / 8) = 1)) or ((map_largest_low_0 / 8) = 1);
+      else
+        map_of_all_0_c_below_a <= (not ((map_smallest_high_0 / 8) = 1)) and ((map_largest_low_0 / 8) = 1);
+      end if;
+      if map_of_all_0_c_below_b_choice_3 then
+        map_of_all_0_c_below_b <= (not ((map_smallest_high_0 / 8) = 1)) or ((map_median_middle_0 / 8) = 1);
+      else
+        map_of_all_0_c_below_b <= (not ((map_smallest_high_0 / 8) = 1)) and ((map_median_middle_0 / 8) = 1);
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 512) + (map_rows_ready_newest_0 * 512);
         map_write_column <= to_integer(other_1(8 downto 0));
       end if;
-      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_0_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
       map_low_1_0_all := map_window_complete_is_equal and map_sorted_arrives;
-      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_0_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
       map_low_0_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_0_all then
         map_low_0_0 <= map_low_0_0_choice;
-        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
         map_middle_0_0 <= map_middle_0_0_choice;
-        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
         map_high_0_0 <= map_high_0_0_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
+        if map_low_1_0_all then
+          map_low_1_0 <= map_low_0_0_choice;
+          map_middle_1_0 <= map_middle_0_0_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+        else
+          map_low_1_0 <= map_low_0_0;
+          map_middle_1_0 <= map_middle_0_0;
+          map_high_1_0 <= map_high_0_0;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;

@@ -358,44 +358,62 @@ architecture rtl of stereo_core_study_p2 is
   signal slice1_best_tag_end_of_line : boolean;
   -- other
   signal other_0, other_1, other_2, other_3 : natural range 0 to 65280;
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(3 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(3 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(15 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(slice1_best_index_1_0, 8) & to_unsigned(slice1_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(3, 2));
   disparity_valid <= as_bit(slice1_best_tag_valid and slice1_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice1_best_tag_start_of_frame and slice1_best_tag_valid and slice1_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice1_best_tag_end_of_line and slice1_best_tag_valid and slice1_best_tag_output_column);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 4);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 4);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference, 16);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 16)
+    generic map (depth => 16, width => 16, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
@@ -423,33 +441,62 @@ begin
       raster_place_group_is_equal_2 := raster_place_group = 31;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
       raster_place_group_is_equal_3 := raster_place_group = 32;
-      raster_place_group_choice := 1 when raster_place_group_is_equal_3 and raster_place_next_frame else
-        (raster_place_group + 1) mod 64;
-      raster_place_group_choice_2 := raster_place_group_choice when (raster_place_group /= 33) and
-        raster_place_group_is_equal and in_valid else raster_place_group;
+      if raster_place_group_is_equal_3 and raster_place_next_frame then
+        raster_place_group_choice := 1;
+      else
+        raster_place_group_choice := (raster_place_group + 1) mod 64;
+      end if;
+      if (raster_place_group /= 33) and raster_place_group_is_equal and in_valid then
+        raster_place_group_choice_2 := raster_place_group_choice;
+      else
+        raster_place_group_choice_2 := raster_place_group;
+      end if;
       raster_features_search_0 <= in_left_pixel mod 256;
       raster_features_reference <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= as_number(raster_place_group_all) * 32 when in_start_of_frame and in_valid else
-        raster_place_group_choice_2;
-      raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame when
-        raster_place_group_is_equal_3 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame when raster_place_group = 33 else
-        raster_place_next_frame_choice;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= as_number(raster_place_group_all) * 32;
+      else
+        raster_place_group <= raster_place_group_choice_2;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame;
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group = 33 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 512;
-        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame;
+        if raster_place_group_is_equal or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 512;
+        end if;
+        if raster_place_next_frame_choice_2 then
+          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
+        else
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 15 else (delay_ring_read_address + 1) mod 16;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 15 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 16;
+        end if;
       end if;
-      delay_row_inside_2_choice := (not ((raster_place_group / 32) = 1)) or (not (((raster_place_group / 16) mod 2) =
-        1)) when (raster_place_group mod 16) = 0 else not ((raster_place_group / 32) = 1);
+      if (raster_place_group mod 16) = 0 then
+        delay_row_inside_2_choice := (not ((raster_place_group / 32) = 1)) or (not (((raster_place_group / 16) mod 2) =
+          1));
+      else
+        delay_row_inside_2_choice := not ((raster_place_group / 32) = 1);
+      end if;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (((raster_place_group / 2) mod 16) = 0) /= (not ((raster_place_group / 32) = 1));
@@ -488,23 +535,44 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8)) when rows_ready_inside_0 else 0;
-      rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16)) when rows_ready_inside_2 else 0;
-      rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24)) when rows_ready_inside_2 else 0;
-      rows_search_4 <= rows_search_rows_ready_newest mod 256 when rows_ready_inside_4 else 0;
-      rows_search_5 <= rows_search_rows_ready_newest / 256 when rows_ready_inside_4 else 0;
-      rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8)) when rows_ready_inside_0 else 0;
-      rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16)) when rows_ready_inside_2 else 0;
-      rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24)) when rows_ready_inside_2 else 0;
-      rows_reference_4 <= rows_reference_rows_ready_newest mod 256 when rows_ready_inside_4 else 0;
-      rows_reference_5 <= rows_reference_rows_ready_newest / 256 when rows_ready_inside_4 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
+        rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8));
+        rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
+        rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8));
+      else
+        rows_search_0 <= 0;
+        rows_search_1 <= 0;
+        rows_reference_0 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16));
+        rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24));
+        rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16));
+        rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24));
+      else
+        rows_search_2 <= 0;
+        rows_search_3 <= 0;
+        rows_reference_2 <= 0;
+        rows_reference_3 <= 0;
+      end if;
+      if rows_ready_inside_4 then
+        rows_search_4 <= rows_search_rows_ready_newest mod 256;
+        rows_search_5 <= rows_search_rows_ready_newest / 256;
+        rows_reference_4 <= rows_reference_rows_ready_newest mod 256;
+        rows_reference_5 <= rows_reference_rows_ready_newest / 256;
+      else
+        rows_search_4 <= 0;
+        rows_search_5 <= 0;
+        rows_reference_4 <= 0;
+        rows_reference_5 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= to_unsigned(rows_search_rows_ready_newest, 16) &
           rows_search_rows_ready_words_0(31 downto 16);
@@ -703,43 +771,62 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_0) +
-        slice0cost_pair_1_0 + as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_1) +
-        slice0cost_pair_1_1 + as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_2) +
-        slice0cost_pair_1_2 + as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_3) +
-        slice0cost_pair_1_3 + as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 + slice0cost_single_0_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_4) +
-        slice0cost_pair_1_4 + as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 + slice0cost_single_0_4;
-      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_5) +
-        slice0cost_pair_1_5 + as_number(slice0cost_negative_0_5) + slice0cost_pair_0_5 + slice0cost_single_0_5;
-      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_6) +
-        slice0cost_pair_1_6 + as_number(slice0cost_negative_0_6) + slice0cost_pair_0_6 + slice0cost_single_0_6;
-      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_7) +
-        slice0cost_pair_1_7 + as_number(slice0cost_negative_0_7) + slice0cost_pair_0_7 + slice0cost_single_0_7;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_0) +
-        slice0cost_pair_1_0 + as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_5_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_1) +
-        slice0cost_pair_1_1 + as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_5_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_2) +
-        slice0cost_pair_1_2 + as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_5_2;
-      slice0cost_column_1_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_3) +
-        slice0cost_pair_1_3 + as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 + slice0cost_single_5_3;
-      slice0cost_column_1_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_4) +
-        slice0cost_pair_1_4 + as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 + slice0cost_single_5_4;
-      slice0cost_column_1_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_5) +
-        slice0cost_pair_1_5 + as_number(slice0cost_negative_0_5) + slice0cost_pair_0_5 + slice0cost_single_5_5;
-      slice0cost_column_1_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_6) +
-        slice0cost_pair_1_6 + as_number(slice0cost_negative_0_6) + slice0cost_pair_0_6 + slice0cost_single_5_6;
-      slice0cost_column_1_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_1_7) +
-        slice0cost_pair_1_7 + as_number(slice0cost_negative_0_7) + slice0cost_pair_0_7 + slice0cost_single_5_7;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+        slice0cost_column_0_5 <= 0;
+        slice0cost_column_0_6 <= 0;
+        slice0cost_column_0_7 <= 0;
+        slice0cost_column_1_0 <= 0;
+        slice0cost_column_1_1 <= 0;
+        slice0cost_column_1_2 <= 0;
+        slice0cost_column_1_3 <= 0;
+        slice0cost_column_1_4 <= 0;
+        slice0cost_column_1_5 <= 0;
+        slice0cost_column_1_6 <= 0;
+        slice0cost_column_1_7 <= 0;
+      else
+        slice0cost_column_0_0 <= as_number(slice0cost_negative_1_0) + slice0cost_pair_1_0 +
+          as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= as_number(slice0cost_negative_1_1) + slice0cost_pair_1_1 +
+          as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= as_number(slice0cost_negative_1_2) + slice0cost_pair_1_2 +
+          as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_column_0_3 <= as_number(slice0cost_negative_1_3) + slice0cost_pair_1_3 +
+          as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_column_0_4 <= as_number(slice0cost_negative_1_4) + slice0cost_pair_1_4 +
+          as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 + slice0cost_single_0_4;
+        slice0cost_column_0_5 <= as_number(slice0cost_negative_1_5) + slice0cost_pair_1_5 +
+          as_number(slice0cost_negative_0_5) + slice0cost_pair_0_5 + slice0cost_single_0_5;
+        slice0cost_column_0_6 <= as_number(slice0cost_negative_1_6) + slice0cost_pair_1_6 +
+          as_number(slice0cost_negative_0_6) + slice0cost_pair_0_6 + slice0cost_single_0_6;
+        slice0cost_column_0_7 <= as_number(slice0cost_negative_1_7) + slice0cost_pair_1_7 +
+          as_number(slice0cost_negative_0_7) + slice0cost_pair_0_7 + slice0cost_single_0_7;
+        slice0cost_column_1_0 <= as_number(slice0cost_negative_1_0) + slice0cost_pair_1_0 +
+          as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_5_0;
+        slice0cost_column_1_1 <= as_number(slice0cost_negative_1_1) + slice0cost_pair_1_1 +
+          as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_5_1;
+        slice0cost_column_1_2 <= as_number(slice0cost_negative_1_2) + slice0cost_pair_1_2 +
+          as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_5_2;
+        slice0cost_column_1_3 <= as_number(slice0cost_negative_1_3) + slice0cost_pair_1_3 +
+          as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 + slice0cost_single_5_3;
+        slice0cost_column_1_4 <= as_number(slice0cost_negative_1_4) + slice0cost_pair_1_4 +
+          as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 + slice0cost_single_5_4;
+        slice0cost_column_1_5 <= as_number(slice0cost_negative_1_5) + slice0cost_pair_1_5 +
+          as_number(slice0cost_negative_0_5) + slice0cost_pair_0_5 + slice0cost_single_5_5;
+        slice0cost_column_1_6 <= as_number(slice0cost_negative_1_6) + slice0cost_pair_1_6 +
+          as_number(slice0cost_negative_0_6) + slice0cost_pair_0_6 + slice0cost_single_5_6;
+        slice0cost_column_1_7 <= as_number(slice0cost_negative_1_7) + slice0cost_pair_1_7 +
+          as_number(slice0cost_negative_0_7) + slice0cost_pair_0_7 + slice0cost_single_5_7;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -842,74 +929,122 @@ begin
       slice0winner1_best_cost_1_1_is_less := (slice0window_sum_1_3 - slice0window_sum_1_2) < 0;
       slice0winner1_best_cost_1_2_is_less := (slice0window_sum_1_5 - slice0window_sum_1_4) < 0;
       slice0winner1_best_cost_1_3_is_less := (slice0window_sum_1_7 - slice0window_sum_1_6) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1 <= slice0window_sum_1_3 when slice0winner1_best_cost_1_1_is_less else
-        slice0window_sum_1_2;
-      slice0winner1_best_cost_1_2 <= slice0window_sum_1_5 when slice0winner1_best_cost_1_2_is_less else
-        slice0window_sum_1_4;
-      slice0winner1_best_cost_1_3 <= slice0window_sum_1_7 when slice0winner1_best_cost_1_3_is_less else
-        slice0window_sum_1_6;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
       slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_best_index_1_1 <= 3 when slice0winner1_best_cost_1_1_is_less else 2;
-      slice0winner1_best_index_1_2 <= 5 when slice0winner1_best_cost_1_2_is_less else 4;
-      slice0winner1_best_index_1_3 <= 7 when slice0winner1_best_cost_1_3_is_less else 6;
       slice0winner1_tag_valid <= slice0window_tag_valid;
       slice0winner1_tag_output_column <= slice0window_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+      end if;
+      if slice0winner1_best_cost_0_1_is_less then
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_index_0_1 <= 3;
+      else
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_index_0_1 <= 2;
+      end if;
+      if slice0winner1_best_cost_0_2_is_less then
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_index_0_2 <= 5;
+      else
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_index_0_2 <= 4;
+      end if;
+      if slice0winner1_best_cost_0_3_is_less then
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+        slice0winner1_best_index_0_3 <= 7;
+      else
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_index_0_3 <= 6;
+      end if;
+      if slice0winner1_best_cost_1_0_is_less then
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_1;
+      else
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_0;
+      end if;
+      if slice0winner1_best_cost_1_1_is_less then
+        slice0winner1_best_cost_1_1 <= slice0window_sum_1_3;
+        slice0winner1_best_index_1_1 <= 3;
+      else
+        slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
+        slice0winner1_best_index_1_1 <= 2;
+      end if;
+      if slice0winner1_best_cost_1_2_is_less then
+        slice0winner1_best_cost_1_2 <= slice0window_sum_1_5;
+        slice0winner1_best_index_1_2 <= 5;
+      else
+        slice0winner1_best_cost_1_2 <= slice0window_sum_1_4;
+        slice0winner1_best_index_1_2 <= 4;
+      end if;
+      if slice0winner1_best_cost_1_3_is_less then
+        slice0winner1_best_cost_1_3 <= slice0window_sum_1_7;
+        slice0winner1_best_index_1_3 <= 7;
+      else
+        slice0winner1_best_cost_1_3 <= slice0window_sum_1_6;
+        slice0winner1_best_index_1_3 <= 6;
+      end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
       slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
       slice0winner2_best_cost_1_1_is_less := (slice0winner1_best_cost_1_3 - slice0winner1_best_cost_1_2) < 0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_3 when slice0winner2_best_cost_1_1_is_less else
-        slice0winner1_best_cost_1_2;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_best_cost_1_1_is_less else
-        slice0winner1_best_index_1_2;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+      end if;
+      if slice0winner2_best_cost_0_1_is_less then
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
+      else
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+      end if;
+      if slice0winner2_best_cost_1_0_is_less then
+        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1;
+        slice0winner2_best_index_1_0 <= slice0winner1_best_index_1_1;
+      else
+        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+        slice0winner2_best_index_1_0 <= as_number(slice0winner1_best_index_1_0);
+      end if;
+      if slice0winner2_best_cost_1_1_is_less then
+        slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_3;
+        slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_3;
+      else
+        slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_2;
+        slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_2;
+      end if;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
       slice0winner3_best_cost_1_0_is_less := (slice0winner2_best_cost_1_1 - slice0winner2_best_cost_1_0) < 0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_1 when slice0winner3_best_cost_1_0_is_less else
-        slice0winner2_best_cost_1_0;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_1 when slice0winner3_best_cost_1_0_is_less else
-        slice0winner2_best_index_1_0;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      if slice0winner3_best_cost_0_0_is_less then
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+      end if;
+      if slice0winner3_best_cost_1_0_is_less then
+        slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_1;
+        slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_1;
+      else
+        slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_0;
+        slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_0;
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
       slice0_best_cost_1_0 <= slice0winner3_best_cost_1_0;
@@ -1089,38 +1224,57 @@ begin
       slice1cost_single_5_5 <= (folded(slice1cost_difference_5_5) + as_number((slice1cost_difference_5_5 < 0))) mod 256;
       slice1cost_single_5_6 <= (folded(slice1cost_difference_5_6) + as_number((slice1cost_difference_5_6 < 0))) mod 256;
       slice1cost_single_5_7 <= (folded(slice1cost_difference_5_7) + as_number((slice1cost_difference_5_7 < 0))) mod 256;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_0) +
-        slice1cost_pair_1_0 + as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_1) +
-        slice1cost_pair_1_1 + as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_2) +
-        slice1cost_pair_1_2 + as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_3) +
-        slice1cost_pair_1_3 + as_number(slice1cost_negative_0_3) + slice1cost_pair_0_3 + slice1cost_single_0_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_4) +
-        slice1cost_pair_1_4 + as_number(slice1cost_negative_0_4) + slice1cost_pair_0_4 + slice1cost_single_0_4;
-      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_5) +
-        slice1cost_pair_1_5 + as_number(slice1cost_negative_0_5) + slice1cost_pair_0_5 + slice1cost_single_0_5;
-      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_6) +
-        slice1cost_pair_1_6 + as_number(slice1cost_negative_0_6) + slice1cost_pair_0_6 + slice1cost_single_0_6;
-      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_7) +
-        slice1cost_pair_1_7 + as_number(slice1cost_negative_0_7) + slice1cost_pair_0_7 + slice1cost_single_0_7;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_0) +
-        slice1cost_pair_1_0 + as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_5_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_1) +
-        slice1cost_pair_1_1 + as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_5_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_2) +
-        slice1cost_pair_1_2 + as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_5_2;
-      slice1cost_column_1_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_3) +
-        slice1cost_pair_1_3 + as_number(slice1cost_negative_0_3) + slice1cost_pair_0_3 + slice1cost_single_5_3;
-      slice1cost_column_1_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_4) +
-        slice1cost_pair_1_4 + as_number(slice1cost_negative_0_4) + slice1cost_pair_0_4 + slice1cost_single_5_4;
-      slice1cost_column_1_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_5) +
-        slice1cost_pair_1_5 + as_number(slice1cost_negative_0_5) + slice1cost_pair_0_5 + slice1cost_single_5_5;
-      slice1cost_column_1_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_6) +
-        slice1cost_pair_1_6 + as_number(slice1cost_negative_0_6) + slice1cost_pair_0_6 + slice1cost_single_5_6;
-      slice1cost_column_1_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_1_7) +
-        slice1cost_pair_1_7 + as_number(slice1cost_negative_0_7) + slice1cost_pair_0_7 + slice1cost_single_5_7;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+        slice1cost_column_0_5 <= 0;
+        slice1cost_column_0_6 <= 0;
+        slice1cost_column_0_7 <= 0;
+        slice1cost_column_1_0 <= 0;
+        slice1cost_column_1_1 <= 0;
+        slice1cost_column_1_2 <= 0;
+        slice1cost_column_1_3 <= 0;
+        slice1cost_column_1_4 <= 0;
+        slice1cost_column_1_5 <= 0;
+        slice1cost_column_1_6 <= 0;
+        slice1cost_column_1_7 <= 0;
+      else
+        slice1cost_column_0_0 <= as_number(slice1cost_negative_1_0) + slice1cost_pair_1_0 +
+          as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= as_number(slice1cost_negative_1_1) + slice1cost_pair_1_1 +
+          as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= as_number(slice1cost_negative_1_2) + slice1cost_pair_1_2 +
+          as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_column_0_3 <= as_number(slice1cost_negative_1_3) + slice1cost_pair_1_3 +
+          as_number(slice1cost_negative_0_3) + slice1cost_pair_0_3 + slice1cost_single_0_3;
+        slice1cost_column_0_4 <= as_number(slice1cost_negative_1_4) + slice1cost_pair_1_4 +
+          as_number(slice1cost_negative_0_4) + slice1cost_pair_0_4 + slice1cost_single_0_4;
+        slice1cost_column_0_5 <= as_number(slice1cost_negative_1_5) + slice1cost_pair_1_5 +
+          as_number(slice1cost_negative_0_5) + slice1cost_pair_0_5 + slice1cost_single_0_5;
+        slice1cost_column_0_6 <= as_number(slice1cost_negative_1_6) + slice1cost_pair_1_6 +
+          as_number(slice1cost_negative_0_6) + slice1cost_pair_0_6 + slice1cost_single_0_6;
+        slice1cost_column_0_7 <= as_number(slice1cost_negative_1_7) + slice1cost_pair_1_7 +
+          as_number(slice1cost_negative_0_7) + slice1cost_pair_0_7 + slice1cost_single_0_7;
+        slice1cost_column_1_0 <= as_number(slice1cost_negative_1_0) + slice1cost_pair_1_0 +
+          as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_5_0;
+        slice1cost_column_1_1 <= as_number(slice1cost_negative_1_1) + slice1cost_pair_1_1 +
+          as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_5_1;
+        slice1cost_column_1_2 <= as_number(slice1cost_negative_1_2) + slice1cost_pair_1_2 +
+          as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_5_2;
+        slice1cost_column_1_3 <= as_number(slice1cost_negative_1_3) + slice1cost_pair_1_3 +
+          as_number(slice1cost_negative_0_3) + slice1cost_pair_0_3 + slice1cost_single_5_3;
+        slice1cost_column_1_4 <= as_number(slice1cost_negative_1_4) + slice1cost_pair_1_4 +
+          as_number(slice1cost_negative_0_4) + slice1cost_pair_0_4 + slice1cost_single_5_4;
+        slice1cost_column_1_5 <= as_number(slice1cost_negative_1_5) + slice1cost_pair_1_5 +
+          as_number(slice1cost_negative_0_5) + slice1cost_pair_0_5 + slice1cost_single_5_5;
+        slice1cost_column_1_6 <= as_number(slice1cost_negative_1_6) + slice1cost_pair_1_6 +
+          as_number(slice1cost_negative_0_6) + slice1cost_pair_0_6 + slice1cost_single_5_6;
+        slice1cost_column_1_7 <= as_number(slice1cost_negative_1_7) + slice1cost_pair_1_7 +
+          as_number(slice1cost_negative_0_7) + slice1cost_pair_0_7 + slice1cost_single_5_7;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1215,71 +1369,125 @@ begin
       slice1winner1_best_cost_1_1_is_less := (slice1window_sum_1_3 - slice1window_sum_1_2) < 0;
       slice1winner1_best_cost_1_2_is_less := (slice1window_sum_1_5 - slice1window_sum_1_4) < 0;
       slice1winner1_best_cost_1_3_is_less := (slice1window_sum_1_7 - slice1window_sum_1_6) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
-      slice1winner1_best_cost_1_1 <= slice1window_sum_1_3 when slice1winner1_best_cost_1_1_is_less else
-        slice1window_sum_1_2;
-      slice1winner1_best_cost_1_2 <= slice1window_sum_1_5 when slice1winner1_best_cost_1_2_is_less else
-        slice1window_sum_1_4;
-      slice1winner1_best_cost_1_3 <= slice1window_sum_1_7 when slice1winner1_best_cost_1_3_is_less else
-        slice1window_sum_1_6;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
       slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
-      slice1winner1_best_index_1_1 <= 3 when slice1winner1_best_cost_1_1_is_less else 2;
-      slice1winner1_best_index_1_2 <= 5 when slice1winner1_best_cost_1_2_is_less else 4;
-      slice1winner1_best_index_1_3 <= 7 when slice1winner1_best_cost_1_3_is_less else 6;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+      end if;
+      if slice1winner1_best_cost_0_1_is_less then
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+        slice1winner1_best_index_0_1 <= 3;
+      else
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_index_0_1 <= 2;
+      end if;
+      if slice1winner1_best_cost_0_2_is_less then
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+        slice1winner1_best_index_0_2 <= 5;
+      else
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_index_0_2 <= 4;
+      end if;
+      if slice1winner1_best_cost_0_3_is_less then
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_7;
+        slice1winner1_best_index_0_3 <= 7;
+      else
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_index_0_3 <= 6;
+      end if;
+      if slice1winner1_best_cost_1_0_is_less then
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_1;
+      else
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_0;
+      end if;
+      if slice1winner1_best_cost_1_1_is_less then
+        slice1winner1_best_cost_1_1 <= slice1window_sum_1_3;
+        slice1winner1_best_index_1_1 <= 3;
+      else
+        slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
+        slice1winner1_best_index_1_1 <= 2;
+      end if;
+      if slice1winner1_best_cost_1_2_is_less then
+        slice1winner1_best_cost_1_2 <= slice1window_sum_1_5;
+        slice1winner1_best_index_1_2 <= 5;
+      else
+        slice1winner1_best_cost_1_2 <= slice1window_sum_1_4;
+        slice1winner1_best_index_1_2 <= 4;
+      end if;
+      if slice1winner1_best_cost_1_3_is_less then
+        slice1winner1_best_cost_1_3 <= slice1window_sum_1_7;
+        slice1winner1_best_index_1_3 <= 7;
+      else
+        slice1winner1_best_cost_1_3 <= slice1window_sum_1_6;
+        slice1winner1_best_index_1_3 <= 6;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
       slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
       slice1winner2_best_cost_1_1_is_less := (slice1winner1_best_cost_1_3 - slice1winner1_best_cost_1_2) < 0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_1_1 <= slice1winner1_best_cost_1_3 when slice1winner2_best_cost_1_1_is_less else
-        slice1winner1_best_cost_1_2;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_index_0_2;
-      slice1winner2_best_index_1_0 <= slice1winner1_best_index_1_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
-      slice1winner2_best_index_1_1 <= slice1winner1_best_index_1_3 when slice1winner2_best_cost_1_1_is_less else
-        slice1winner1_best_index_1_2;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+      end if;
+      if slice1winner2_best_cost_0_1_is_less then
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
+      else
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+      end if;
+      if slice1winner2_best_cost_1_0_is_less then
+        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1;
+        slice1winner2_best_index_1_0 <= slice1winner1_best_index_1_1;
+      else
+        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+        slice1winner2_best_index_1_0 <= as_number(slice1winner1_best_index_1_0);
+      end if;
+      if slice1winner2_best_cost_1_1_is_less then
+        slice1winner2_best_cost_1_1 <= slice1winner1_best_cost_1_3;
+        slice1winner2_best_index_1_1 <= slice1winner1_best_index_1_3;
+      else
+        slice1winner2_best_cost_1_1 <= slice1winner1_best_cost_1_2;
+        slice1winner2_best_index_1_1 <= slice1winner1_best_index_1_2;
+      end if;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
       slice1winner3_best_cost_1_0_is_less := (slice1winner2_best_cost_1_1 - slice1winner2_best_cost_1_0) < 0;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_cost_1_0 <= slice1winner2_best_cost_1_1 when slice1winner3_best_cost_1_0_is_less else
-        slice1winner2_best_cost_1_0;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
-      slice1winner3_best_index_1_0 <= slice1winner2_best_index_1_1 when slice1winner3_best_cost_1_0_is_less else
-        slice1winner2_best_index_1_0;
+      if slice1winner3_best_cost_0_0_is_less then
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
+      else
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
+      end if;
+      if slice1winner3_best_cost_1_0_is_less then
+        slice1winner3_best_cost_1_0 <= slice1winner2_best_cost_1_1;
+        slice1winner3_best_index_1_0 <= slice1winner2_best_index_1_1;
+      else
+        slice1winner3_best_cost_1_0 <= slice1winner2_best_cost_1_0;
+        slice1winner3_best_index_1_0 <= slice1winner2_best_index_1_0;
+      end if;
       -- slice1
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0 else
-        slice1winner3_best_index_0_0;
-      slice1_best_index_1_0 <= slice0_best_index_1_0 when (slice0_best_cost_1_0 - slice1winner3_best_cost_1_0) < 0 else
-        slice1winner3_best_index_1_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0 then
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_index_0_0 <= slice1winner3_best_index_0_0;
+      end if;
+      if (slice0_best_cost_1_0 - slice1winner3_best_cost_1_0) < 0 then
+        slice1_best_index_1_0 <= slice0_best_index_1_0;
+      else
+        slice1_best_index_1_0 <= slice1winner3_best_index_1_0;
+      end if;
       -- other
       other_0 <= to_integer(delay_delayed_0(15 downto 8)) * 256;
       other_1 <= other_2;

@@ -374,44 +374,62 @@ architecture rtl of stereo_core_study_subpixel is
   signal other_5 : natural range 0 to 192;
   signal other_6 : natural range 0 to 128;
   signal other_7, other_8 : boolean;
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(3 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(3 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(slice0cost_pair_tag_newest_inside), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 4);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 4);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 8)
+    generic map (depth => 16, width => 8, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
@@ -449,30 +467,55 @@ begin
       raster_place_group_is_equal_2 := raster_place_column = 319;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
       raster_place_group_is_equal_3 := raster_place_group = 65;
-      raster_place_group_choice := 2 when raster_place_group_is_equal_3 and raster_place_next_frame else
-        (raster_place_group + 1) mod 128;
-      raster_place_group_choice_2 := raster_place_group_choice when (raster_place_group /= 66) and
-        raster_place_group_is_equal_2 and in_valid else raster_place_group;
+      if raster_place_group_is_equal_3 and raster_place_next_frame then
+        raster_place_group_choice := 2;
+      else
+        raster_place_group_choice := (raster_place_group + 1) mod 128;
+      end if;
+      if (raster_place_group /= 66) and raster_place_group_is_equal_2 and in_valid then
+        raster_place_group_choice_2 := raster_place_group_choice;
+      else
+        raster_place_group_choice_2 := raster_place_group;
+      end if;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= as_number(raster_place_group_all) * 64 when in_start_of_frame and in_valid else
-        raster_place_group_choice_2;
-      raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame when
-        raster_place_group_is_equal_3 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame when raster_place_group = 66 else
-        raster_place_next_frame_choice;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= as_number(raster_place_group_all) * 64;
+      else
+        raster_place_group <= raster_place_group_choice_2;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice := (raster_place_column /= 319) and raster_place_next_frame;
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group = 66 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal_2 or in_start_of_frame else (raster_place_column + 1)
-          mod 512;
-        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame;
+        if raster_place_group_is_equal_2 or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 512;
+        end if;
+        if raster_place_next_frame_choice_2 then
+          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
+        else
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 15 else (delay_ring_read_address + 1) mod 16;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 15 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 16;
+        end if;
       end if;
       delay_row_inside_2_is_less := (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2))
         < 64;
@@ -521,22 +564,47 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8)) when rows_ready_inside_1 else 0;
-      rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16)) when rows_ready_inside_2 else 0;
-      rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24)) when rows_ready_inside_3 else 0;
-      rows_search_4 <= rows_search_rows_ready_newest_0 when rows_ready_tag_newest_inside else 0;
-      rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8)) when rows_ready_inside_1 else 0;
-      rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16)) when rows_ready_inside_2 else 0;
-      rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24)) when rows_ready_inside_3 else 0;
-      rows_reference_4 <= rows_reference_rows_ready_newest_0 when rows_ready_tag_newest_inside else 0;
       rows_inside_4 <= rows_ready_inside_4;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
+        rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8));
+        rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8));
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16));
+        rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16));
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
+      if rows_ready_inside_3 then
+        rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24));
+        rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24));
+      else
+        rows_search_3 <= 0;
+        rows_reference_3 <= 0;
+      end if;
+      if rows_ready_tag_newest_inside then
+        rows_search_4 <= rows_search_rows_ready_newest_0;
+        rows_reference_4 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_4 <= 0;
+        rows_reference_4 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= to_unsigned(rows_search_rows_ready_newest_0, 8) &
           rows_search_rows_ready_words_0(31 downto 8);
@@ -712,27 +780,38 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0 + slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0);
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1 + slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1);
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2 + slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2);
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_3) +
-        slice0cost_pair_0_3 + slice0cost_single_0_3 + slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3);
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_4) +
-        slice0cost_pair_0_4 + slice0cost_single_0_4 + slice0cost_pair_1_4 + as_number(slice0cost_negative_1_4);
-      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_5) +
-        slice0cost_pair_0_5 + slice0cost_single_0_5 + slice0cost_pair_1_5 + as_number(slice0cost_negative_1_5);
-      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_6) +
-        slice0cost_pair_0_6 + slice0cost_single_0_6 + slice0cost_pair_1_6 + as_number(slice0cost_negative_1_6);
-      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_7) +
-        slice0cost_pair_0_7 + slice0cost_single_0_7 + slice0cost_pair_1_7 + as_number(slice0cost_negative_1_7);
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+        slice0cost_column_0_5 <= 0;
+        slice0cost_column_0_6 <= 0;
+        slice0cost_column_0_7 <= 0;
+      else
+        slice0cost_column_0_0 <= as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0 +
+          slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0);
+        slice0cost_column_0_1 <= as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1 +
+          slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1);
+        slice0cost_column_0_2 <= as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2 +
+          slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2);
+        slice0cost_column_0_3 <= as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 + slice0cost_single_0_3 +
+          slice0cost_pair_1_3 + as_number(slice0cost_negative_1_3);
+        slice0cost_column_0_4 <= as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 + slice0cost_single_0_4 +
+          slice0cost_pair_1_4 + as_number(slice0cost_negative_1_4);
+        slice0cost_column_0_5 <= as_number(slice0cost_negative_0_5) + slice0cost_pair_0_5 + slice0cost_single_0_5 +
+          slice0cost_pair_1_5 + as_number(slice0cost_negative_1_5);
+        slice0cost_column_0_6 <= as_number(slice0cost_negative_0_6) + slice0cost_pair_0_6 + slice0cost_single_0_6 +
+          slice0cost_pair_1_6 + as_number(slice0cost_negative_1_6);
+        slice0cost_column_0_7 <= as_number(slice0cost_negative_0_7) + slice0cost_pair_0_7 + slice0cost_single_0_7 +
+          slice0cost_pair_1_7 + as_number(slice0cost_negative_1_7);
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -790,26 +869,7 @@ begin
       slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
       slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
       slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
-      slice0winner1_best_below_0_1 <= slice0window_sum_0_2 when slice0winner1_best_cost_0_1_is_less else 0;
-      slice0winner1_best_below_0_2 <= slice0window_sum_0_4 when slice0winner1_best_cost_0_2_is_less else 0;
-      slice0winner1_best_below_0_3 <= slice0window_sum_0_6 when slice0winner1_best_cost_0_3_is_less else 0;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
-      slice0winner1_best_above_0_1 <= 0 when slice0winner1_best_cost_0_1_is_less else slice0window_sum_0_3;
-      slice0winner1_best_above_0_2 <= 0 when slice0winner1_best_cost_0_2_is_less else slice0window_sum_0_5;
-      slice0winner1_best_above_0_3 <= 0 when slice0winner1_best_cost_0_3_is_less else slice0window_sum_0_7;
       slice0winner1_best_first_0_0 <= slice0window_sum_0_0;
       slice0winner1_best_first_0_1 <= slice0window_sum_0_2;
       slice0winner1_best_first_0_2 <= slice0window_sum_0_4;
@@ -821,33 +881,71 @@ begin
       slice0winner1_tag_output_column <= slice0window_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+      end if;
+      if slice0winner1_best_cost_0_1_is_less then
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_index_0_1 <= 3;
+        slice0winner1_best_below_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_above_0_1 <= 0;
+      else
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_index_0_1 <= 2;
+        slice0winner1_best_below_0_1 <= 0;
+        slice0winner1_best_above_0_1 <= slice0window_sum_0_3;
+      end if;
+      if slice0winner1_best_cost_0_2_is_less then
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_index_0_2 <= 5;
+        slice0winner1_best_below_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_above_0_2 <= 0;
+      else
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_index_0_2 <= 4;
+        slice0winner1_best_below_0_2 <= 0;
+        slice0winner1_best_above_0_2 <= slice0window_sum_0_5;
+      end if;
+      if slice0winner1_best_cost_0_3_is_less then
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+        slice0winner1_best_index_0_3 <= 7;
+        slice0winner1_best_below_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_above_0_3 <= 0;
+      else
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_index_0_3 <= 6;
+        slice0winner1_best_below_0_3 <= 0;
+        slice0winner1_best_above_0_3 <= slice0window_sum_0_7;
+      end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
-      slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0_0 when slice0winner1_best_index_0_1 = 2 else
-        slice0winner1_best_below_0_1;
-      slice0winner2_best_below_0_1_choice := slice0winner1_best_last_0_2 when slice0winner1_best_index_0_3 = 6 else
-        slice0winner1_best_below_0_3;
-      slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_above_0_1_choice := slice0winner1_best_first_0_3 when other_7 else
-        slice0winner1_best_above_0_2;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
-      slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_below_0_0;
-      slice0winner2_best_below_0_1 <= slice0winner2_best_below_0_1_choice when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_below_0_2;
-      slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner2_best_above_0_0_choice;
-      slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner2_best_above_0_1_choice;
+      if slice0winner1_best_index_0_1 = 2 then
+        slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0_0;
+      else
+        slice0winner2_best_below_0_0_choice := slice0winner1_best_below_0_1;
+      end if;
+      if slice0winner1_best_index_0_3 = 6 then
+        slice0winner2_best_below_0_1_choice := slice0winner1_best_last_0_2;
+      else
+        slice0winner2_best_below_0_1_choice := slice0winner1_best_below_0_3;
+      end if;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
+      if other_7 then
+        slice0winner2_best_above_0_1_choice := slice0winner1_best_first_0_3;
+      else
+        slice0winner2_best_above_0_1_choice := slice0winner1_best_above_0_2;
+      end if;
       slice0winner2_best_first_0_0 <= slice0winner1_best_first_0_0;
       slice0winner2_best_first_0_1 <= slice0winner1_best_first_0_2;
       slice0winner2_best_last_0_0 <= slice0winner1_best_last_0_1;
@@ -855,25 +953,56 @@ begin
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice;
+        slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      end if;
+      if slice0winner2_best_cost_0_1_is_less then
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
+        slice0winner2_best_below_0_1 <= slice0winner2_best_below_0_1_choice;
+        slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_3;
+      else
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+        slice0winner2_best_below_0_1 <= slice0winner1_best_below_0_2;
+        slice0winner2_best_above_0_1 <= slice0winner2_best_above_0_1_choice;
+      end if;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
-      slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0 when slice0winner2_best_index_0_1 = 4 else
-        slice0winner2_best_below_0_1;
-      slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1 when slice0winner2_best_index_0_0 = 3 else
-        slice0winner2_best_above_0_0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_below_0_0;
-      slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner3_best_above_0_0_choice;
+      if slice0winner2_best_index_0_1 = 4 then
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0;
+      else
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_below_0_1;
+      end if;
+      if slice0winner2_best_index_0_0 = 3 then
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1;
+      else
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_above_0_0;
+      end if;
       slice0winner3_best_first_0_0 <= slice0winner2_best_first_0_0;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      if slice0winner3_best_cost_0_0_is_less then
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+        slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice;
+        slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+        slice0winner3_best_below_0_0 <= slice0winner2_best_below_0_0;
+        slice0winner3_best_above_0_0 <= slice0winner3_best_above_0_0_choice;
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner3_best_index_0_0 + 8;
@@ -1029,22 +1158,33 @@ begin
       slice1cost_single_0_5 <= (folded(slice1cost_difference_0_5) + as_number((slice1cost_difference_0_5 < 0))) mod 256;
       slice1cost_single_0_6 <= (folded(slice1cost_difference_0_6) + as_number((slice1cost_difference_0_6 < 0))) mod 256;
       slice1cost_single_0_7 <= (folded(slice1cost_difference_0_7) + as_number((slice1cost_difference_0_7 < 0))) mod 256;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0 + slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0);
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1 + slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1);
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2 + slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2);
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_3) +
-        slice1cost_pair_0_3 + slice1cost_single_0_3 + slice1cost_pair_1_3 + as_number(slice1cost_negative_1_3);
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_4) +
-        slice1cost_pair_0_4 + slice1cost_single_0_4 + slice1cost_pair_1_4 + as_number(slice1cost_negative_1_4);
-      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_5) +
-        slice1cost_pair_0_5 + slice1cost_single_0_5 + slice1cost_pair_1_5 + as_number(slice1cost_negative_1_5);
-      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_6) +
-        slice1cost_pair_0_6 + slice1cost_single_0_6 + slice1cost_pair_1_6 + as_number(slice1cost_negative_1_6);
-      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_7) +
-        slice1cost_pair_0_7 + slice1cost_single_0_7 + slice1cost_pair_1_7 + as_number(slice1cost_negative_1_7);
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+        slice1cost_column_0_5 <= 0;
+        slice1cost_column_0_6 <= 0;
+        slice1cost_column_0_7 <= 0;
+      else
+        slice1cost_column_0_0 <= as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0 +
+          slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0);
+        slice1cost_column_0_1 <= as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1 +
+          slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1);
+        slice1cost_column_0_2 <= as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2 +
+          slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2);
+        slice1cost_column_0_3 <= as_number(slice1cost_negative_0_3) + slice1cost_pair_0_3 + slice1cost_single_0_3 +
+          slice1cost_pair_1_3 + as_number(slice1cost_negative_1_3);
+        slice1cost_column_0_4 <= as_number(slice1cost_negative_0_4) + slice1cost_pair_0_4 + slice1cost_single_0_4 +
+          slice1cost_pair_1_4 + as_number(slice1cost_negative_1_4);
+        slice1cost_column_0_5 <= as_number(slice1cost_negative_0_5) + slice1cost_pair_0_5 + slice1cost_single_0_5 +
+          slice1cost_pair_1_5 + as_number(slice1cost_negative_1_5);
+        slice1cost_column_0_6 <= as_number(slice1cost_negative_0_6) + slice1cost_pair_0_6 + slice1cost_single_0_6 +
+          slice1cost_pair_1_6 + as_number(slice1cost_negative_1_6);
+        slice1cost_column_0_7 <= as_number(slice1cost_negative_0_7) + slice1cost_pair_0_7 + slice1cost_single_0_7 +
+          slice1cost_pair_1_7 + as_number(slice1cost_negative_1_7);
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1096,26 +1236,7 @@ begin
       slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
       slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
       slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
-      slice1winner1_best_below_0_1 <= slice1window_sum_0_2 when slice1winner1_best_cost_0_1_is_less else 0;
-      slice1winner1_best_below_0_2 <= slice1window_sum_0_4 when slice1winner1_best_cost_0_2_is_less else 0;
-      slice1winner1_best_below_0_3 <= slice1window_sum_0_6 when slice1winner1_best_cost_0_3_is_less else 0;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
-      slice1winner1_best_above_0_1 <= 0 when slice1winner1_best_cost_0_1_is_less else slice1window_sum_0_3;
-      slice1winner1_best_above_0_2 <= 0 when slice1winner1_best_cost_0_2_is_less else slice1window_sum_0_5;
-      slice1winner1_best_above_0_3 <= 0 when slice1winner1_best_cost_0_3_is_less else slice1window_sum_0_7;
       slice1winner1_best_first_0_1 <= slice1window_sum_0_2;
       slice1winner1_best_first_0_2 <= slice1window_sum_0_4;
       slice1winner1_best_first_0_3 <= slice1window_sum_0_6;
@@ -1123,68 +1244,147 @@ begin
       slice1winner1_best_last_0_1 <= slice1window_sum_0_3;
       slice1winner1_best_last_0_2 <= slice1window_sum_0_5;
       slice1winner1_best_last_0_3 <= slice1window_sum_0_7;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+      end if;
+      if slice1winner1_best_cost_0_1_is_less then
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+        slice1winner1_best_index_0_1 <= 3;
+        slice1winner1_best_below_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_above_0_1 <= 0;
+      else
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_index_0_1 <= 2;
+        slice1winner1_best_below_0_1 <= 0;
+        slice1winner1_best_above_0_1 <= slice1window_sum_0_3;
+      end if;
+      if slice1winner1_best_cost_0_2_is_less then
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+        slice1winner1_best_index_0_2 <= 5;
+        slice1winner1_best_below_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_above_0_2 <= 0;
+      else
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_index_0_2 <= 4;
+        slice1winner1_best_below_0_2 <= 0;
+        slice1winner1_best_above_0_2 <= slice1window_sum_0_5;
+      end if;
+      if slice1winner1_best_cost_0_3_is_less then
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_7;
+        slice1winner1_best_index_0_3 <= 7;
+        slice1winner1_best_below_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_above_0_3 <= 0;
+      else
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_index_0_3 <= 6;
+        slice1winner1_best_below_0_3 <= 0;
+        slice1winner1_best_above_0_3 <= slice1window_sum_0_7;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
-      slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0 when slice1winner1_best_index_0_1 = 2 else
-        slice1winner1_best_below_0_1;
-      slice1winner2_best_below_0_1_choice := slice1winner1_best_last_0_2 when slice1winner1_best_index_0_3 = 6 else
-        slice1winner1_best_below_0_3;
-      slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_above_0_1_choice := slice1winner1_best_first_0_3 when other_8 else
-        slice1winner1_best_above_0_2;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_index_0_2;
-      slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_below_0_0;
-      slice1winner2_best_below_0_1 <= slice1winner2_best_below_0_1_choice when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_below_0_2;
-      slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner2_best_above_0_0_choice;
-      slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner2_best_above_0_1_choice;
+      if slice1winner1_best_index_0_1 = 2 then
+        slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0;
+      else
+        slice1winner2_best_below_0_0_choice := slice1winner1_best_below_0_1;
+      end if;
+      if slice1winner1_best_index_0_3 = 6 then
+        slice1winner2_best_below_0_1_choice := slice1winner1_best_last_0_2;
+      else
+        slice1winner2_best_below_0_1_choice := slice1winner1_best_below_0_3;
+      end if;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
+      if other_8 then
+        slice1winner2_best_above_0_1_choice := slice1winner1_best_first_0_3;
+      else
+        slice1winner2_best_above_0_1_choice := slice1winner1_best_above_0_2;
+      end if;
       slice1winner2_best_first_0_1 <= slice1winner1_best_first_0_2;
       slice1winner2_best_last_0_0 <= slice1winner1_best_last_0_1;
       slice1winner2_best_last_0_1 <= slice1winner1_best_last_0_3;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice;
+        slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      end if;
+      if slice1winner2_best_cost_0_1_is_less then
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
+        slice1winner2_best_below_0_1 <= slice1winner2_best_below_0_1_choice;
+        slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_3;
+      else
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+        slice1winner2_best_below_0_1 <= slice1winner1_best_below_0_2;
+        slice1winner2_best_above_0_1 <= slice1winner2_best_above_0_1_choice;
+      end if;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
-      slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0 when slice1winner2_best_index_0_1 = 4 else
-        slice1winner2_best_below_0_1;
-      slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1 when slice1winner2_best_index_0_0 = 3 else
-        slice1winner2_best_above_0_0;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
-      slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_below_0_0;
-      slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner3_best_above_0_0_choice;
+      if slice1winner2_best_index_0_1 = 4 then
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0;
+      else
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_below_0_1;
+      end if;
+      if slice1winner2_best_index_0_0 = 3 then
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1;
+      else
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_above_0_0;
+      end if;
       slice1winner3_best_last_0_0 <= slice1winner2_best_last_0_1;
+      if slice1winner3_best_cost_0_0_is_less then
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
+        slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice;
+        slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1;
+      else
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
+        slice1winner3_best_below_0_0 <= slice1winner2_best_below_0_0;
+        slice1winner3_best_above_0_0 <= slice1winner3_best_above_0_0_choice;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner3_best_cost_0_0) < 0;
-      slice1_best_below_0_0_choice := slice1winner3_best_last_0_0 when slice0_best_index_0_0 = 8 else
-        slice0_best_below_0_0;
-      slice1_best_above_0_0_choice := slice0_best_first_0_0 when slice1winner3_best_index_0_0 = 7 else
-        slice1winner3_best_above_0_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner3_best_cost_0_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner3_best_index_0_0;
-      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
-        slice1winner3_best_below_0_0;
-      slice1_best_above_0_0 <= slice0_best_above_0_0 when slice1_best_cost_0_0_is_less else
-        slice1_best_above_0_0_choice;
+      if slice0_best_index_0_0 = 8 then
+        slice1_best_below_0_0_choice := slice1winner3_best_last_0_0;
+      else
+        slice1_best_below_0_0_choice := slice0_best_below_0_0;
+      end if;
+      if slice1winner3_best_index_0_0 = 7 then
+        slice1_best_above_0_0_choice := slice0_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice1winner3_best_above_0_0;
+      end if;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice0_best_above_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+        slice1_best_index_0_0 <= slice1winner3_best_index_0_0;
+        slice1_best_below_0_0 <= slice1winner3_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      end if;
       -- refinement
       refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 16384) - refinement_divisor_0_0;
       refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 16384) - refinement_divisor_1_0;
@@ -1194,7 +1394,11 @@ begin
       refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 16384) - refinement_divisor_5_0;
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 16384) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -1274,26 +1478,10 @@ begin
       refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
       refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
       refinement_cost_0 <= slice1_best_cost_0_0;
-      refinement_below_0 <= slice1_best_above_0_0 when slice1_best_index_0_0 = 0 else slice1_best_below_0_0;
-      refinement_above_0 <= slice1_best_below_0_0 when slice1_best_index_0_0 = 15 else slice1_best_above_0_0;
       refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 8192;
       refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 8192;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 8192 when
-        (refinement_remainder_1_0_difference / 16384) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 8192 when
-        (refinement_remainder_2_0_difference / 16384) = 1 else (refinement_remainder_1_0 mod 4096) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 8192 when
-        (refinement_remainder_3_0_difference / 16384) = 1 else (refinement_remainder_2_0 mod 4096) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 8192 when
-        (refinement_remainder_4_0_difference / 16384) = 1 else (refinement_remainder_3_0 mod 4096) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 8192 when
-        (refinement_remainder_5_0_difference / 16384) = 1 else (refinement_remainder_4_0 mod 4096) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 8192 when
-        (refinement_remainder_6_0_difference / 16384) = 1 else (refinement_remainder_5_0 mod 4096) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 8192 when
-        (refinement_remainder_7_0_difference / 16384) = 1 else (refinement_remainder_6_0 mod 4096) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 13)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 13))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
@@ -1315,6 +1503,51 @@ begin
       refinement_negative_7_0 <= refinement_negative_6_0;
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
+      if slice1_best_index_0_0 = 0 then
+        refinement_below_0 <= slice1_best_above_0_0;
+      else
+        refinement_below_0 <= slice1_best_below_0_0;
+      end if;
+      if slice1_best_index_0_0 = 15 then
+        refinement_above_0 <= slice1_best_below_0_0;
+      else
+        refinement_above_0 <= slice1_best_above_0_0;
+      end if;
+      if (refinement_remainder_1_0_difference / 16384) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 8192;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_2_0_difference / 16384) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 8192;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 4096) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 16384) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 8192;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 4096) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 16384) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 8192;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 4096) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 16384) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 8192;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 4096) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 16384) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 8192;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 4096) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 16384) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 8192;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 4096) * 2;
+      end if;
       -- map
       map_out_disparity_0 <= (((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) +
         ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);

@@ -769,22 +769,73 @@ architecture rtl of stereo_core_tiny_all_p4 is
   signal other_19, other_20, other_21, other_22 : natural range 0 to 224;
   signal other_23, other_24, other_25, other_26 : natural range 0 to 192;
   signal other_27, other_28, other_29, other_30 : natural range 0 to 128;
+  signal transform_left_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal transform_left_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal transform_left_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal transform_right_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal transform_right_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal map_rows_read_words_2_memory_read_enable : boolean;
+  signal map_rows_read_words_2_memory_read_address : unsigned(4 downto 0);
+  signal map_rows_read_words_2_memory_write_address : unsigned(4 downto 0);
   signal map_rows_read_words_2_memory_write_data : unsigned(12 downto 0);
+  signal map_rows_read_words_1_memory_read_enable : boolean;
+  signal map_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal map_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal map_rows_read_words_1_memory_write_data : unsigned(25 downto 0);
+  signal map_rows_read_words_0_memory_read_enable : boolean;
+  signal map_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal map_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal leftright_found_3_memory_read_enable : boolean;
+  signal leftright_found_3_memory_read_address : unsigned(3 downto 0);
+  signal leftright_found_3_memory_write_address : unsigned(3 downto 0);
   signal leftright_found_3_memory_write_data : unsigned(2 downto 0);
+  signal leftright_found_2_memory_read_enable : boolean;
+  signal leftright_found_2_memory_read_address : unsigned(3 downto 0);
+  signal leftright_found_2_memory_write_address : unsigned(3 downto 0);
   signal leftright_found_2_memory_write_data : unsigned(2 downto 0);
+  signal leftright_found_1_memory_read_enable : boolean;
+  signal leftright_found_1_memory_read_address : unsigned(3 downto 0);
+  signal leftright_found_1_memory_write_address : unsigned(3 downto 0);
   signal leftright_found_1_memory_write_data : unsigned(2 downto 0);
+  signal leftright_found_0_memory_read_enable : boolean;
+  signal leftright_found_0_memory_read_address : unsigned(3 downto 0);
+  signal leftright_found_0_memory_write_address : unsigned(3 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
+  signal leftright_held_0_memory_read_enable : boolean;
+  signal leftright_held_0_memory_read_address : unsigned(2 downto 0);
+  signal leftright_held_0_memory_write_address : unsigned(2 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(59 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(6 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(6 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(2 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(2 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(27 downto 0);
 
 begin
@@ -798,141 +849,192 @@ begin
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  transform_left_rows_read_words_1_memory_read_enable <= true;
+  transform_left_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_left_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_left_rows_read_words_1_memory_write_data <= to_unsigned(transform_left_rows_write_words_1, 8);
   transform_left_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 8)
+    generic map (depth => 32, width => 8, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_1_memory_read_enable,
+      read_address => transform_left_rows_read_words_1_memory_read_address, read_data => transform_left_rows_read_words_1,
+      write_address => transform_left_rows_read_words_1_memory_write_address, write_data => transform_left_rows_read_words_1_memory_write_data);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_1_memory_read_enable <= true;
+  transform_right_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_right_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_right_rows_read_words_1_memory_write_data <= to_unsigned(transform_right_rows_write_words_1, 8);
   transform_right_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 8)
+    generic map (depth => 32, width => 8, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_1_memory_read_enable,
+      read_address => transform_right_rows_read_words_1_memory_read_address, read_data => transform_right_rows_read_words_1,
+      write_address => transform_right_rows_read_words_1_memory_write_address, write_data => transform_right_rows_read_words_1_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
+  map_rows_read_words_2_memory_read_enable <= true;
+  map_rows_read_words_2_memory_read_address <= to_unsigned(map_counter_column, 5);
+  map_rows_read_words_2_memory_write_address <= to_unsigned(map_at_column, 5);
   map_rows_read_words_2_memory_write_data <= to_unsigned((map_rows_write_words_2 mod 8192), 13);
   map_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 24, width => 13)
+    generic map (depth => 24, width => 13, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_2,
-      write_address => map_at_column, write_data => map_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_2_memory_read_enable,
+      read_address => map_rows_read_words_2_memory_read_address, read_data => map_rows_read_words_2,
+      write_address => map_rows_read_words_2_memory_write_address, write_data => map_rows_read_words_2_memory_write_data);
 
+  map_rows_read_words_1_memory_read_enable <= true;
+  map_rows_read_words_1_memory_read_address <= to_unsigned(map_counter_column, 5);
+  map_rows_read_words_1_memory_write_address <= to_unsigned(map_at_column, 5);
   map_rows_read_words_1_memory_write_data <= to_unsigned((map_rows_write_words_1 mod 67108864), 26);
   map_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 24, width => 26)
+    generic map (depth => 24, width => 26, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_1,
-      write_address => map_at_column, write_data => map_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_1_memory_read_enable,
+      read_address => map_rows_read_words_1_memory_read_address, read_data => map_rows_read_words_1,
+      write_address => map_rows_read_words_1_memory_write_address, write_data => map_rows_read_words_1_memory_write_data);
 
+  map_rows_read_words_0_memory_read_enable <= true;
+  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 5);
+  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 5);
   map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 26)
+    generic map (depth => 24, width => 26, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
+      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
+      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
 
+  leftright_found_3_memory_read_enable <= true;
+  leftright_found_3_memory_read_address <= to_unsigned(leftright_address_3, 4);
+  leftright_found_3_memory_write_address <= to_unsigned(leftright_position, 4);
   leftright_found_3_memory_write_data <= to_unsigned(leftright_other_13_3, 3);
   leftright_found_3_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
+    generic map (depth => 16, width => 3, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_3, read_data => leftright_found_3,
-      write_address => leftright_position, write_data => leftright_found_3_memory_write_data);
+      clock => clock, read_enable => leftright_found_3_memory_read_enable,
+      read_address => leftright_found_3_memory_read_address, read_data => leftright_found_3,
+      write_address => leftright_found_3_memory_write_address, write_data => leftright_found_3_memory_write_data);
 
+  leftright_found_2_memory_read_enable <= true;
+  leftright_found_2_memory_read_address <= to_unsigned(leftright_address_2, 4);
+  leftright_found_2_memory_write_address <= to_unsigned(leftright_position, 4);
   leftright_found_2_memory_write_data <= to_unsigned(leftright_other_13_2, 3);
   leftright_found_2_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
+    generic map (depth => 16, width => 3, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_2, read_data => leftright_found_2,
-      write_address => leftright_position, write_data => leftright_found_2_memory_write_data);
+      clock => clock, read_enable => leftright_found_2_memory_read_enable,
+      read_address => leftright_found_2_memory_read_address, read_data => leftright_found_2,
+      write_address => leftright_found_2_memory_write_address, write_data => leftright_found_2_memory_write_data);
 
+  leftright_found_1_memory_read_enable <= true;
+  leftright_found_1_memory_read_address <= to_unsigned(leftright_address_1, 4);
+  leftright_found_1_memory_write_address <= to_unsigned(leftright_position, 4);
   leftright_found_1_memory_write_data <= to_unsigned(leftright_other_13_1, 3);
   leftright_found_1_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
+    generic map (depth => 16, width => 3, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_1, read_data => leftright_found_1,
-      write_address => leftright_position, write_data => leftright_found_1_memory_write_data);
+      clock => clock, read_enable => leftright_found_1_memory_read_enable,
+      read_address => leftright_found_1_memory_read_address, read_data => leftright_found_1,
+      write_address => leftright_found_1_memory_write_address, write_data => leftright_found_1_memory_write_data);
 
+  leftright_found_0_memory_read_enable <= true;
+  leftright_found_0_memory_read_address <= to_unsigned(leftright_address_0, 4);
+  leftright_found_0_memory_write_address <= to_unsigned(leftright_position, 4);
   leftright_found_0_memory_write_data <= to_unsigned(leftright_other_13_0, 3);
   leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
+    generic map (depth => 16, width => 3, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+      clock => clock, read_enable => leftright_found_0_memory_read_enable,
+      read_address => leftright_found_0_memory_read_address, read_data => leftright_found_0,
+      write_address => leftright_found_0_memory_write_address, write_data => leftright_found_0_memory_write_data);
 
+  leftright_held_0_memory_read_enable <= true;
+  leftright_held_0_memory_read_address <= to_unsigned(leftright_ring_read_address, 3);
+  leftright_held_0_memory_write_address <= to_unsigned(leftright_ring_write_address, 3);
   leftright_held_0_memory_write_data <= ((to_unsigned(as_number(refinement_passed_11_3), 6) & to_unsigned(refinement_disparity_11_3, 8) & to_unsigned(as_number(refinement_passed_11_2), 6) & to_unsigned(refinement_disparity_11_2, 8) & to_unsigned(as_number(refinement_passed_11_1), 6) & to_unsigned(to_integer(((((to_unsigned(refinement_disparity_11_1, 3) & to_unsigned(0, 18)) or (to_unsigned(refinement_fraction_0, 8) & to_unsigned(0, 13)))) or (to_unsigned(as_number(refinement_passed_11_0), 9) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(0, 4)))), 26)) or (to_unsigned(refinement_fraction_3, 5) & to_unsigned(refinement_fraction_2, 14) & to_unsigned(refinement_fraction_1, 14) & to_unsigned(as_number(refinement_tag_11_end_of_line), 24) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1)));
   leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 60)
+    generic map (depth => 8, width => 60, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+      clock => clock, read_enable => leftright_held_0_memory_read_enable,
+      read_address => leftright_held_0_memory_read_address, read_data => leftright_held_0,
+      write_address => leftright_held_0_memory_write_address, write_data => leftright_held_0_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned((rows_search_rows_write_words_1 mod 128), 7);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 7)
+    generic map (depth => 32, width => 7, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned((rows_search_rows_write_words_0 mod 268435456), 28);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 28)
+    generic map (depth => 32, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 7);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 7)
+    generic map (depth => 32, width => 7, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 28)
+    generic map (depth => 32, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 3);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 3);
   delay_delayed_0_memory_write_data <= ((((((to_unsigned(raster_features_reference_2, 14) & to_unsigned(0, 14)) or (to_unsigned(raster_features_reference_3, 7) & to_unsigned(0, 21)))) or (to_unsigned(raster_features_reference_0, 28)))) or (to_unsigned(raster_features_reference_1, 21) & to_unsigned(0, 7)));
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 28)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1154,46 +1256,104 @@ begin
       transform_counter_group_is_equal := transform_counter_column = 31;
       transform_counter_group_is_equal_2 := transform_counter_group = 2;
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      transform_counter_group_choice := 3 when transform_counter_group_all else 0;
+      if transform_counter_group_all then
+        transform_counter_group_choice := 3;
+      else
+        transform_counter_group_choice := 0;
+      end if;
       transform_counter_group_is_equal_3 := transform_counter_group = 3;
-      transform_counter_group_choice_2 := 1 when transform_counter_next_frame and transform_counter_group_is_equal_3
-        else (transform_counter_group + 1) mod 8;
-      transform_counter_group_choice_3 := transform_counter_group_choice_2 when (transform_counter_group /= 4) and
-        transform_counter_group_is_equal and in_valid else transform_counter_group;
+      if transform_counter_next_frame and transform_counter_group_is_equal_3 then
+        transform_counter_group_choice_2 := 1;
+      else
+        transform_counter_group_choice_2 := (transform_counter_group + 1) mod 8;
+      end if;
+      if (transform_counter_group /= 4) and transform_counter_group_is_equal and in_valid then
+        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+      else
+        transform_counter_group_choice_3 := transform_counter_group;
+      end if;
       transform_read_row_inside_0_is_equal := (transform_counter_group / 2) = 1;
       transform_read_column_inside_0_differs := (transform_counter_column / 2) /= 0;
-      transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
-        (transform_left_filter_slope_0 + 31) mod 128;
-      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-31) else
-        transform_left_filter_feature_0_choice;
-      transform_left_filter_feature_1_choice := 62 when 31 < transform_left_filter_slope_1 else
-        (transform_left_filter_slope_1 + 31) mod 256;
-      transform_left_filter_feature_1_choice_2 := 0 when transform_left_filter_slope_1 < (-31) else
-        transform_left_filter_feature_1_choice;
-      transform_left_filter_feature_2_choice := 62 when 31 < transform_left_filter_slope_2 else
-        (transform_left_filter_slope_2 + 31) mod 256;
-      transform_left_filter_feature_2_choice_2 := 0 when transform_left_filter_slope_2 < (-31) else
-        transform_left_filter_feature_2_choice;
-      transform_left_filter_feature_3_choice := 62 when 31 < transform_left_filter_slope_3 else
-        (transform_left_filter_slope_3 + 31) mod 65536;
-      transform_left_filter_feature_3_choice_2 := 0 when transform_left_filter_slope_3 < (-31) else
-        transform_left_filter_feature_3_choice;
-      transform_right_filter_feature_0_choice := 62 when 31 < transform_right_filter_slope_0 else
-        (transform_right_filter_slope_0 + 31) mod 65536;
-      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-31) else
-        transform_right_filter_feature_0_choice;
-      transform_right_filter_feature_1_choice := 62 when 31 < transform_right_filter_slope_1 else
-        (transform_right_filter_slope_1 + 31) mod 256;
-      transform_right_filter_feature_1_choice_2 := 0 when transform_right_filter_slope_1 < (-31) else
-        transform_right_filter_feature_1_choice;
-      transform_right_filter_feature_2_choice := 62 when 31 < transform_right_filter_slope_2 else
-        (transform_right_filter_slope_2 + 31) mod 256;
-      transform_right_filter_feature_2_choice_2 := 0 when transform_right_filter_slope_2 < (-31) else
-        transform_right_filter_feature_2_choice;
-      transform_right_filter_feature_3_choice := 62 when 31 < transform_right_filter_slope_3 else
-        (transform_right_filter_slope_3 + 31) mod 256;
-      transform_right_filter_feature_3_choice_2 := 0 when transform_right_filter_slope_3 < (-31) else
-        transform_right_filter_feature_3_choice;
+      if 31 < transform_left_filter_slope_0 then
+        transform_left_filter_feature_0_choice := 62;
+      else
+        transform_left_filter_feature_0_choice := (transform_left_filter_slope_0 + 31) mod 128;
+      end if;
+      if transform_left_filter_slope_0 < (-31) then
+        transform_left_filter_feature_0_choice_2 := 0;
+      else
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      end if;
+      if 31 < transform_left_filter_slope_1 then
+        transform_left_filter_feature_1_choice := 62;
+      else
+        transform_left_filter_feature_1_choice := (transform_left_filter_slope_1 + 31) mod 256;
+      end if;
+      if transform_left_filter_slope_1 < (-31) then
+        transform_left_filter_feature_1_choice_2 := 0;
+      else
+        transform_left_filter_feature_1_choice_2 := transform_left_filter_feature_1_choice;
+      end if;
+      if 31 < transform_left_filter_slope_2 then
+        transform_left_filter_feature_2_choice := 62;
+      else
+        transform_left_filter_feature_2_choice := (transform_left_filter_slope_2 + 31) mod 256;
+      end if;
+      if transform_left_filter_slope_2 < (-31) then
+        transform_left_filter_feature_2_choice_2 := 0;
+      else
+        transform_left_filter_feature_2_choice_2 := transform_left_filter_feature_2_choice;
+      end if;
+      if 31 < transform_left_filter_slope_3 then
+        transform_left_filter_feature_3_choice := 62;
+      else
+        transform_left_filter_feature_3_choice := (transform_left_filter_slope_3 + 31) mod 65536;
+      end if;
+      if transform_left_filter_slope_3 < (-31) then
+        transform_left_filter_feature_3_choice_2 := 0;
+      else
+        transform_left_filter_feature_3_choice_2 := transform_left_filter_feature_3_choice;
+      end if;
+      if 31 < transform_right_filter_slope_0 then
+        transform_right_filter_feature_0_choice := 62;
+      else
+        transform_right_filter_feature_0_choice := (transform_right_filter_slope_0 + 31) mod 65536;
+      end if;
+      if transform_right_filter_slope_0 < (-31) then
+        transform_right_filter_feature_0_choice_2 := 0;
+      else
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      end if;
+      if 31 < transform_right_filter_slope_1 then
+        transform_right_filter_feature_1_choice := 62;
+      else
+        transform_right_filter_feature_1_choice := (transform_right_filter_slope_1 + 31) mod 256;
+      end if;
+      if transform_right_filter_slope_1 < (-31) then
+        transform_right_filter_feature_1_choice_2 := 0;
+      else
+        transform_right_filter_feature_1_choice_2 := transform_right_filter_feature_1_choice;
+      end if;
+      if 31 < transform_right_filter_slope_2 then
+        transform_right_filter_feature_2_choice := 62;
+      else
+        transform_right_filter_feature_2_choice := (transform_right_filter_slope_2 + 31) mod 256;
+      end if;
+      if transform_right_filter_slope_2 < (-31) then
+        transform_right_filter_feature_2_choice_2 := 0;
+      else
+        transform_right_filter_feature_2_choice_2 := transform_right_filter_feature_2_choice;
+      end if;
+      if 31 < transform_right_filter_slope_3 then
+        transform_right_filter_feature_3_choice := 62;
+      else
+        transform_right_filter_feature_3_choice := (transform_right_filter_slope_3 + 31) mod 256;
+      end if;
+      if transform_right_filter_slope_3 < (-31) then
+        transform_right_filter_feature_3_choice_2 := 0;
+      else
+        transform_right_filter_feature_3_choice_2 := transform_right_filter_feature_3_choice;
+      end if;
       transform_left_0 <= to_integer(in_left_pixel(7 downto 0));
       transform_left_1 <= to_integer(in_left_pixel(15 downto 8));
       transform_left_2 <= to_integer(in_left_pixel(23 downto 16));
@@ -1203,8 +1363,6 @@ begin
       transform_right_2 <= to_integer(in_right_pixel(23 downto 16));
       transform_right_3 <= to_integer(in_right_pixel(31 downto 24));
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice when in_valid and in_start_of_frame else
-        transform_counter_group_choice_3;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_read_newest_1 <= transform_left_1;
       transform_left_rows_read_newest_2 <= transform_left_2;
@@ -1226,12 +1384,6 @@ begin
       transform_right_rows_ready_newest_2 <= transform_right_rows_read_newest_2;
       transform_right_rows_ready_newest_3 <= transform_right_rows_read_newest_3;
       transform_read_column <= transform_counter_column;
-      transform_read_row_inside_0 <= transform_read_row_inside_0_is_equal when (transform_counter_group mod 2) = 1 else
-        ((transform_counter_group / 4) = 1) /= (((transform_counter_group / 2) mod 2) = 1);
-      transform_read_row_inside_1 <= not ((transform_counter_group / 4) = 1) when (transform_counter_group mod 2) = 1
-        else transform_read_row_inside_0_is_equal;
-      transform_read_row_inside_5 <= (transform_counter_group / 2) = 0 when (transform_counter_group mod 2) = 1 else
-        not ((transform_counter_group / 4) = 1);
       transform_read_column_inside_0 <= transform_read_column_inside_0_differs or ((transform_counter_column mod 2) =
         1);
       transform_read_column_inside_1 <= true;
@@ -1271,26 +1423,10 @@ begin
       transform_left_filter_slope_2 <= transform_left_filter_column_0_2 - transform_left_filter_column_2_2;
       transform_left_filter_slope_3 <= transform_left_filter_column_0_3 - transform_left_filter_column_2_3;
       transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
-      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
-        31;
-      transform_left_filter_feature_1 <= transform_left_filter_feature_1_choice_2 when transform_left_filter_whole else
-        31;
-      transform_left_filter_feature_2 <= transform_left_filter_feature_2_choice_2 when transform_left_filter_whole else
-        31;
-      transform_left_filter_feature_3 <= transform_left_filter_feature_3_choice_2 when transform_left_filter_whole else
-        31;
       transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
       transform_right_filter_slope_1 <= transform_right_filter_column_0_1 - transform_right_filter_column_2_1;
       transform_right_filter_slope_2 <= transform_right_filter_column_0_2 - transform_right_filter_column_2_2;
       transform_right_filter_slope_3 <= transform_right_filter_column_0_3 - transform_right_filter_column_2_3;
-      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
-        else 31;
-      transform_right_filter_feature_1 <= transform_right_filter_feature_1_choice_2 when transform_left_filter_whole
-        else 31;
-      transform_right_filter_feature_2 <= transform_right_filter_feature_2_choice_2 when transform_left_filter_whole
-        else 31;
-      transform_right_filter_feature_3 <= transform_right_filter_feature_3_choice_2 when transform_left_filter_whole
-        else 31;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -1299,14 +1435,57 @@ begin
       transform_filtering_1_valid <= transform_filtering_0_valid;
       transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
       transform_filtering_2_valid <= transform_filtering_1_valid;
-      transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
-        transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= transform_counter_group_choice;
+      else
+        transform_counter_group <= transform_counter_group_choice_3;
+      end if;
+      if (transform_counter_group mod 2) = 1 then
+        transform_read_row_inside_0 <= transform_read_row_inside_0_is_equal;
+        transform_read_row_inside_1 <= not ((transform_counter_group / 4) = 1);
+        transform_read_row_inside_5 <= (transform_counter_group / 2) = 0;
+      else
+        transform_read_row_inside_0 <= ((transform_counter_group / 4) = 1) /= (((transform_counter_group / 2) mod 2) =
+          1);
+        transform_read_row_inside_1 <= transform_read_row_inside_0_is_equal;
+        transform_read_row_inside_5 <= not ((transform_counter_group / 4) = 1);
+      end if;
+      if transform_left_filter_whole then
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2;
+        transform_left_filter_feature_1 <= transform_left_filter_feature_1_choice_2;
+        transform_left_filter_feature_2 <= transform_left_filter_feature_2_choice_2;
+        transform_left_filter_feature_3 <= transform_left_filter_feature_3_choice_2;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2;
+        transform_right_filter_feature_1 <= transform_right_filter_feature_1_choice_2;
+        transform_right_filter_feature_2 <= transform_right_filter_feature_2_choice_2;
+        transform_right_filter_feature_3 <= transform_right_filter_feature_3_choice_2;
+      else
+        transform_left_filter_feature_0 <= 31;
+        transform_left_filter_feature_1 <= 31;
+        transform_left_filter_feature_2 <= 31;
+        transform_left_filter_feature_3 <= 31;
+        transform_right_filter_feature_0 <= 31;
+        transform_right_filter_feature_1 <= 31;
+        transform_right_filter_feature_2 <= 31;
+        transform_right_filter_feature_3 <= 31;
+      end if;
+      if in_start_of_frame then
+        transform_counter_next_frame_choice := transform_counter_group_all;
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
-          (transform_counter_column + 1) mod 32;
-        transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
-          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
-          transform_counter_next_frame_choice;
+        if transform_counter_group_is_equal or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 32;
+        end if;
+        if transform_counter_group_is_equal and transform_counter_group_is_equal_3 then
+          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+            in_start_of_frame;
+        else
+          transform_counter_next_frame <= transform_counter_next_frame_choice;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_2, 8) &
@@ -1319,54 +1498,126 @@ begin
         transform_right_rows_write_words_1 <= transform_right_rows_ready_newest_3;
         transform_write_column <= transform_ready_column;
       end if;
-      transform_left_filter_column_0_0_choice := transform_left_column_0 when transform_columns_row_inside_0 else
-        transform_left_column_2;
-      transform_left_filter_column_0_0_choice_2 := transform_left_column_2 when transform_columns_row_inside_1 else
-        transform_left_column_0;
-      transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_left_column_0 mod 2) = 1;
-      transform_left_filter_column_0_1_choice := transform_left_column_1 when transform_columns_row_inside_1 else
-        transform_left_column_3;
-      transform_left_filter_column_0_1_choice_2 := transform_left_column_3 when transform_columns_row_inside_1 else
-        transform_left_column_1;
-      transform_left_filter_column_0_1_choice_3 := (transform_left_column_3 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_left_column_1 mod 2) = 1;
-      transform_left_filter_column_0_2_choice := transform_left_column_2 when transform_columns_row_inside_1 else
-        transform_left_column_4;
-      transform_left_filter_column_0_2_choice_2 := transform_left_column_4 when transform_columns_row_inside_1 else
-        transform_left_column_2;
-      transform_left_filter_column_0_2_choice_3 := (transform_left_column_4 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_left_column_2 mod 2) = 1;
-      transform_left_filter_column_0_3_choice := transform_left_column_3 when transform_columns_row_inside_1 else
-        transform_left_column_5;
-      transform_left_filter_column_0_3_choice_2 := transform_left_column_5 when transform_columns_row_inside_5 else
-        transform_left_column_3;
-      transform_left_filter_column_0_3_choice_3 := (transform_left_column_5 mod 2) = 1 when
-        transform_columns_row_inside_5 else (transform_left_column_3 mod 2) = 1;
-      transform_right_filter_column_0_0_choice := transform_right_column_0 when transform_columns_row_inside_0 else
-        transform_right_column_2;
-      transform_right_filter_column_0_0_choice_2 := transform_right_column_2 when transform_columns_row_inside_1 else
-        transform_right_column_0;
-      transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_right_column_0 mod 2) = 1;
-      transform_right_filter_column_0_1_choice := transform_right_column_1 when transform_columns_row_inside_1 else
-        transform_right_column_3;
-      transform_right_filter_column_0_1_choice_2 := transform_right_column_3 when transform_columns_row_inside_1 else
-        transform_right_column_1;
-      transform_right_filter_column_0_1_choice_3 := (transform_right_column_3 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_right_column_1 mod 2) = 1;
-      transform_right_filter_column_0_2_choice := transform_right_column_2 when transform_columns_row_inside_1 else
-        transform_right_column_4;
-      transform_right_filter_column_0_2_choice_2 := transform_right_column_4 when transform_columns_row_inside_1 else
-        transform_right_column_2;
-      transform_right_filter_column_0_2_choice_3 := (transform_right_column_4 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_right_column_2 mod 2) = 1;
-      transform_right_filter_column_0_3_choice := transform_right_column_3 when transform_columns_row_inside_1 else
-        transform_right_column_5;
-      transform_right_filter_column_0_3_choice_2 := transform_right_column_5 when transform_columns_row_inside_5 else
-        transform_right_column_3;
-      transform_right_filter_column_0_3_choice_3 := (transform_right_column_5 mod 2) = 1 when
-        transform_columns_row_inside_5 else (transform_right_column_3 mod 2) = 1;
+      if transform_columns_row_inside_0 then
+        transform_left_filter_column_0_0_choice := transform_left_column_0;
+      else
+        transform_left_filter_column_0_0_choice := transform_left_column_2;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_2;
+      else
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_0;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1;
+      else
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_0 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_1_choice := transform_left_column_1;
+      else
+        transform_left_filter_column_0_1_choice := transform_left_column_3;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_1_choice_2 := transform_left_column_3;
+      else
+        transform_left_filter_column_0_1_choice_2 := transform_left_column_1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_1_choice_3 := (transform_left_column_3 mod 2) = 1;
+      else
+        transform_left_filter_column_0_1_choice_3 := (transform_left_column_1 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_2_choice := transform_left_column_2;
+      else
+        transform_left_filter_column_0_2_choice := transform_left_column_4;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_2_choice_2 := transform_left_column_4;
+      else
+        transform_left_filter_column_0_2_choice_2 := transform_left_column_2;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_2_choice_3 := (transform_left_column_4 mod 2) = 1;
+      else
+        transform_left_filter_column_0_2_choice_3 := (transform_left_column_2 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_3_choice := transform_left_column_3;
+      else
+        transform_left_filter_column_0_3_choice := transform_left_column_5;
+      end if;
+      if transform_columns_row_inside_5 then
+        transform_left_filter_column_0_3_choice_2 := transform_left_column_5;
+      else
+        transform_left_filter_column_0_3_choice_2 := transform_left_column_3;
+      end if;
+      if transform_columns_row_inside_5 then
+        transform_left_filter_column_0_3_choice_3 := (transform_left_column_5 mod 2) = 1;
+      else
+        transform_left_filter_column_0_3_choice_3 := (transform_left_column_3 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_0 then
+        transform_right_filter_column_0_0_choice := transform_right_column_0;
+      else
+        transform_right_filter_column_0_0_choice := transform_right_column_2;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_2;
+      else
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_0;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1;
+      else
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_0 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_1_choice := transform_right_column_1;
+      else
+        transform_right_filter_column_0_1_choice := transform_right_column_3;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_1_choice_2 := transform_right_column_3;
+      else
+        transform_right_filter_column_0_1_choice_2 := transform_right_column_1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_1_choice_3 := (transform_right_column_3 mod 2) = 1;
+      else
+        transform_right_filter_column_0_1_choice_3 := (transform_right_column_1 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_2_choice := transform_right_column_2;
+      else
+        transform_right_filter_column_0_2_choice := transform_right_column_4;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_2_choice_2 := transform_right_column_4;
+      else
+        transform_right_filter_column_0_2_choice_2 := transform_right_column_2;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_2_choice_3 := (transform_right_column_4 mod 2) = 1;
+      else
+        transform_right_filter_column_0_2_choice_3 := (transform_right_column_2 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_3_choice := transform_right_column_3;
+      else
+        transform_right_filter_column_0_3_choice := transform_right_column_5;
+      end if;
+      if transform_columns_row_inside_5 then
+        transform_right_filter_column_0_3_choice_2 := transform_right_column_5;
+      else
+        transform_right_filter_column_0_3_choice_2 := transform_right_column_3;
+      end if;
+      if transform_columns_row_inside_5 then
+        transform_right_filter_column_0_3_choice_3 := (transform_right_column_5 mod 2) = 1;
+      else
+        transform_right_filter_column_0_3_choice_3 := (transform_right_column_3 mod 2) = 1;
+      end if;
       if transform_columns_valid then
         transform_left_filter_column_0_0 <= transform_left_filter_column_0_0_choice +
           (((transform_left_filter_column_0_0_choice_2 / 2) + transform_left_column_1) * 2) +
@@ -1413,12 +1664,22 @@ begin
       raster_place_group_is_equal := raster_place_column = 31;
       raster_place_group_is_equal_2 := raster_place_group = 2;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_3 := raster_place_group = 3;
-      raster_place_group_choice_2 := 1 when raster_place_next_frame and raster_place_group_is_equal_3 else
-        (raster_place_group + 1) mod 8;
-      raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 4) and
-        raster_place_group_is_equal and transform_filtering_2_valid else raster_place_group;
+      if raster_place_next_frame and raster_place_group_is_equal_3 then
+        raster_place_group_choice_2 := 1;
+      else
+        raster_place_group_choice_2 := (raster_place_group + 1) mod 8;
+      end if;
+      if (raster_place_group /= 4) and raster_place_group_is_equal and transform_filtering_2_valid then
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      else
+        raster_place_group_choice_3 := raster_place_group;
+      end if;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_search_1 <= transform_left_filter_feature_1;
       raster_features_search_2 <= transform_left_filter_feature_2;
@@ -1428,25 +1689,44 @@ begin
       raster_features_reference_2 <= transform_right_filter_feature_2;
       raster_features_reference_3 <= transform_right_filter_feature_3 mod 128;
       raster_features_valid <= transform_filtering_2_valid;
-      raster_place_group <= raster_place_group_choice when transform_filtering_2_valid and
-        transform_filtering_2_start_of_frame else raster_place_group_choice_3;
-      raster_place_next_frame_choice := raster_place_group_all when transform_filtering_2_start_of_frame else
-        raster_place_next_frame;
+      if transform_filtering_2_valid and transform_filtering_2_start_of_frame then
+        raster_place_group <= raster_place_group_choice;
+      else
+        raster_place_group <= raster_place_group_choice_3;
+      end if;
+      if transform_filtering_2_start_of_frame then
+        raster_place_next_frame_choice := raster_place_group_all;
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
       if transform_filtering_2_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_2_start_of_frame else
-          (raster_place_column + 1) mod 32;
-        raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          transform_filtering_2_start_of_frame when raster_place_group_is_equal and raster_place_group_is_equal_3 else
-          raster_place_next_frame_choice;
+        if raster_place_group_is_equal or transform_filtering_2_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
+        if raster_place_group_is_equal and raster_place_group_is_equal_3 then
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            transform_filtering_2_start_of_frame;
+        else
+          raster_place_next_frame <= raster_place_next_frame_choice;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 7 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 8;
+        end if;
       end if;
       delay_row_inside_0_is_equal := (raster_place_group / 2) = 1;
-      delay_row_inside_1_choice := not ((raster_place_group / 4) = 1) when (raster_place_group mod 2) = 1 else
-        delay_row_inside_0_is_equal;
+      if (raster_place_group mod 2) = 1 then
+        delay_row_inside_1_choice := not ((raster_place_group / 4) = 1);
+      else
+        delay_row_inside_1_choice := delay_row_inside_0_is_equal;
+      end if;
       delay_tag_first_cost_is_equal := raster_place_column = 7;
       delay_tag_map_column_is_not_less := raster_place_column >= 7;
       delay_tag_map_column_is_less := raster_place_column < 31;
@@ -1455,20 +1735,26 @@ begin
       delay_ahead_2 <= raster_features_search_2;
       delay_ahead_3 <= raster_features_search_3;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= delay_row_inside_0_is_equal when (raster_place_group mod 2) = 1 else ((raster_place_group /
-        4) = 1) /= (((raster_place_group / 2) mod 2) = 1);
       delay_row_inside_1 <= delay_row_inside_1_choice;
-      delay_row_inside_5 <= (raster_place_group / 2) = 0 when (raster_place_group mod 2) = 1 else not
-        ((raster_place_group / 4) = 1);
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
-        (raster_place_column / 8) = 0;
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_map_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less;
       delay_tag_output_column <= delay_tag_map_column_is_not_less and delay_tag_map_column_is_less and
         delay_row_inside_1_choice;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
+      if (raster_place_group mod 2) = 1 then
+        delay_row_inside_0 <= delay_row_inside_0_is_equal;
+        delay_row_inside_5 <= (raster_place_group / 2) = 0;
+      else
+        delay_row_inside_0 <= ((raster_place_group / 4) = 1) /= (((raster_place_group / 2) mod 2) = 1);
+        delay_row_inside_5 <= not ((raster_place_group / 4) = 1);
+      end if;
+      if (raster_place_column mod 4) = 3 then
+        delay_tag_border_column <= (raster_place_column / 4) = 0;
+      else
+        delay_tag_border_column <= (raster_place_column / 8) = 0;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_read_newest_1 <= delay_ahead_1;
@@ -1512,18 +1798,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_search_1 <= (rows_search_rows_ready_words_0 / 128) mod 128 when rows_ready_inside_1 else 0;
-      rows_search_2 <= (rows_search_rows_ready_words_0 / 16384) mod 128 when rows_ready_inside_1 else 0;
-      rows_search_3 <= rows_search_rows_ready_words_0 / 2097152 when rows_ready_inside_1 else 0;
-      rows_search_4 <= rows_search_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_search_5 <= rows_search_rows_ready_newest_0 when rows_ready_inside_5 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= (rows_reference_rows_ready_words_0 / 128) mod 128 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= (rows_reference_rows_ready_words_0 / 16384) mod 128 when rows_ready_inside_1 else 0;
-      rows_reference_3 <= rows_reference_rows_ready_words_0 / 2097152 when rows_ready_inside_1 else 0;
-      rows_reference_4 <= rows_reference_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_reference_5 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_5 else 0;
       rows_inside_0 <= rows_ready_inside_0;
       rows_inside_1 <= rows_ready_inside_1;
       rows_inside_5 <= rows_ready_inside_5;
@@ -1534,6 +1808,39 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 128;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= (rows_search_rows_ready_words_0 / 128) mod 128;
+        rows_search_2 <= (rows_search_rows_ready_words_0 / 16384) mod 128;
+        rows_search_3 <= rows_search_rows_ready_words_0 / 2097152;
+        rows_search_4 <= rows_search_rows_ready_words_1;
+        rows_reference_1 <= (rows_reference_rows_ready_words_0 / 128) mod 128;
+        rows_reference_2 <= (rows_reference_rows_ready_words_0 / 16384) mod 128;
+        rows_reference_3 <= rows_reference_rows_ready_words_0 / 2097152;
+        rows_reference_4 <= rows_reference_rows_ready_words_1;
+      else
+        rows_search_1 <= 0;
+        rows_search_2 <= 0;
+        rows_search_3 <= 0;
+        rows_search_4 <= 0;
+        rows_reference_1 <= 0;
+        rows_reference_2 <= 0;
+        rows_reference_3 <= 0;
+        rows_reference_4 <= 0;
+      end if;
+      if rows_ready_inside_5 then
+        rows_search_5 <= rows_search_rows_ready_newest_0;
+        rows_reference_5 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_5 <= 0;
+        rows_reference_5 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= to_integer(((((to_unsigned(rows_search_rows_ready_newest_1, 15) &
           to_unsigned(0, 14)) or (to_unsigned(rows_search_rows_ready_newest_2, 8) & to_unsigned(0, 21)))) or
@@ -1720,30 +2027,6 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0) mod 256;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1) mod 256;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2) mod 256;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_3_0) mod 256;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_3_1) mod 256;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_3_2) mod 256;
-      slice0cost_column_2_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_0) +
-        slice0cost_pair_1_0 + slice0cost_single_2_0) mod 256;
-      slice0cost_column_2_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_1) +
-        slice0cost_pair_1_1 + slice0cost_single_2_1) mod 256;
-      slice0cost_column_2_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_2) +
-        slice0cost_pair_1_2 + slice0cost_single_2_2) mod 256;
-      slice0cost_column_3_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_0) +
-        slice0cost_pair_1_0 + slice0cost_single_5_0) mod 256;
-      slice0cost_column_3_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_1) +
-        slice0cost_pair_1_1 + slice0cost_single_5_1) mod 256;
-      slice0cost_column_3_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_2) +
-        slice0cost_pair_1_2 + slice0cost_single_5_2) mod 256;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
@@ -1751,6 +2034,45 @@ begin
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_1_0 <= 0;
+        slice0cost_column_1_1 <= 0;
+        slice0cost_column_1_2 <= 0;
+        slice0cost_column_2_0 <= 0;
+        slice0cost_column_2_1 <= 0;
+        slice0cost_column_2_2 <= 0;
+        slice0cost_column_3_0 <= 0;
+        slice0cost_column_3_1 <= 0;
+        slice0cost_column_3_2 <= 0;
+      else
+        slice0cost_column_0_0 <= (as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0) mod
+          256;
+        slice0cost_column_0_1 <= (as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1) mod
+          256;
+        slice0cost_column_0_2 <= (as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2) mod
+          256;
+        slice0cost_column_1_0 <= (as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_3_0) mod
+          256;
+        slice0cost_column_1_1 <= (as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_3_1) mod
+          256;
+        slice0cost_column_1_2 <= (as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_3_2) mod
+          256;
+        slice0cost_column_2_0 <= (as_number(slice0cost_negative_1_0) + slice0cost_pair_1_0 + slice0cost_single_2_0) mod
+          256;
+        slice0cost_column_2_1 <= (as_number(slice0cost_negative_1_1) + slice0cost_pair_1_1 + slice0cost_single_2_1) mod
+          256;
+        slice0cost_column_2_2 <= (as_number(slice0cost_negative_1_2) + slice0cost_pair_1_2 + slice0cost_single_2_2) mod
+          256;
+        slice0cost_column_3_0 <= (as_number(slice0cost_negative_1_0) + slice0cost_pair_1_0 + slice0cost_single_5_0) mod
+          256;
+        slice0cost_column_3_1 <= (as_number(slice0cost_negative_1_1) + slice0cost_pair_1_1 + slice0cost_single_5_1) mod
+          256;
+        slice0cost_column_3_2 <= (as_number(slice0cost_negative_1_2) + slice0cost_pair_1_2 + slice0cost_single_5_2) mod
+          256;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -1805,42 +2127,111 @@ begin
       slice0other_cost_0_0_all := slice0window_tag_output_column and (((slice0other_cost_0_1 - slice0window_sum_0_0) >=
         0) or slice0window_tag_first_column);
       slice0other_cost_0_1_all := slice0window_tag_output_column and slice0window_tag_first_column;
-      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0other_cost_0_2 - slice0window_sum_0_1)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_1_0_choice := slice0window_tag_output_column when (slice0other_cost_1_1 - slice0window_sum_1_0)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_1_1_choice := slice0window_tag_output_column when (slice0other_cost_1_2 - slice0window_sum_1_1)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_2_0_choice := slice0window_tag_output_column when (slice0other_cost_2_1 - slice0window_sum_2_0)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_2_1_choice := slice0window_tag_output_column when (slice0other_cost_2_2 - slice0window_sum_2_1)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_3_0_choice := slice0window_tag_output_column when (slice0other_cost_3_1 - slice0window_sum_3_0)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_3_1_choice := slice0window_tag_output_column when (slice0other_cost_3_2 - slice0window_sum_3_1)
-        >= 0 else slice0other_cost_0_1_all;
+      if (slice0other_cost_0_2 - slice0window_sum_0_1) >= 0 then
+        slice0other_cost_0_1_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_1_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_1_1 - slice0window_sum_1_0) >= 0 then
+        slice0other_cost_1_0_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_1_0_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_1_2 - slice0window_sum_1_1) >= 0 then
+        slice0other_cost_1_1_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_1_1_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_2_1 - slice0window_sum_2_0) >= 0 then
+        slice0other_cost_2_0_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_2_0_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_2_2 - slice0window_sum_2_1) >= 0 then
+        slice0other_cost_2_1_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_2_1_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_3_1 - slice0window_sum_3_0) >= 0 then
+        slice0other_cost_3_0_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_3_0_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_3_2 - slice0window_sum_3_1) >= 0 then
+        slice0other_cost_3_1_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_3_1_choice := slice0other_cost_0_1_all;
+      end if;
       if slice0window_tag_valid then
-        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else slice0other_cost_0_1;
-        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_2;
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0window_tag_output_column else 0;
-        slice0other_cost_1_0 <= slice0window_sum_1_0 when slice0other_cost_1_0_choice else slice0other_cost_1_1;
-        slice0other_cost_1_1 <= slice0window_sum_1_1 when slice0other_cost_1_1_choice else slice0other_cost_1_2;
-        slice0other_cost_1_2 <= slice0window_sum_1_2 when slice0window_tag_output_column else 0;
-        slice0other_cost_2_0 <= slice0window_sum_2_0 when slice0other_cost_2_0_choice else slice0other_cost_2_1;
-        slice0other_cost_2_1 <= slice0window_sum_2_1 when slice0other_cost_2_1_choice else slice0other_cost_2_2;
-        slice0other_cost_2_2 <= slice0window_sum_2_2 when slice0window_tag_output_column else 0;
-        slice0other_cost_3_0 <= slice0window_sum_3_0 when slice0other_cost_3_0_choice else slice0other_cost_3_1;
-        slice0other_cost_3_1 <= slice0window_sum_3_1 when slice0other_cost_3_1_choice else slice0other_cost_3_2;
-        slice0other_cost_3_2 <= slice0window_sum_3_2 when slice0window_tag_output_column else 0;
-        slice0other_winner_0_0 <= 5 when slice0other_cost_0_0_all else slice0other_winner_0_1;
-        slice0other_winner_0_1 <= 6 when slice0other_cost_0_1_choice else slice0other_winner_0_2;
-        slice0other_winner_0_2 <= 7 when slice0window_tag_output_column else 0;
-        slice0other_winner_1_0 <= 5 when slice0other_cost_1_0_choice else slice0other_winner_1_1;
-        slice0other_winner_1_1 <= 6 when slice0other_cost_1_1_choice else slice0other_winner_0_2;
-        slice0other_winner_2_0 <= 5 when slice0other_cost_2_0_choice else slice0other_winner_2_1;
-        slice0other_winner_2_1 <= 6 when slice0other_cost_2_1_choice else slice0other_winner_0_2;
-        slice0other_winner_3_0 <= 5 when slice0other_cost_3_0_choice else slice0other_winner_3_1;
-        slice0other_winner_3_1 <= 6 when slice0other_cost_3_1_choice else slice0other_winner_0_2;
+        if slice0other_cost_0_0_all then
+          slice0other_cost_0_0 <= slice0window_sum_0_0;
+          slice0other_winner_0_0 <= 5;
+        else
+          slice0other_cost_0_0 <= slice0other_cost_0_1;
+          slice0other_winner_0_0 <= slice0other_winner_0_1;
+        end if;
+        if slice0other_cost_0_1_choice then
+          slice0other_cost_0_1 <= slice0window_sum_0_1;
+          slice0other_winner_0_1 <= 6;
+        else
+          slice0other_cost_0_1 <= slice0other_cost_0_2;
+          slice0other_winner_0_1 <= slice0other_winner_0_2;
+        end if;
+        if slice0window_tag_output_column then
+          slice0other_cost_0_2 <= slice0window_sum_0_2;
+          slice0other_cost_1_2 <= slice0window_sum_1_2;
+          slice0other_cost_2_2 <= slice0window_sum_2_2;
+          slice0other_cost_3_2 <= slice0window_sum_3_2;
+          slice0other_winner_0_2 <= 7;
+        else
+          slice0other_cost_0_2 <= 0;
+          slice0other_cost_1_2 <= 0;
+          slice0other_cost_2_2 <= 0;
+          slice0other_cost_3_2 <= 0;
+          slice0other_winner_0_2 <= 0;
+        end if;
+        if slice0other_cost_1_0_choice then
+          slice0other_cost_1_0 <= slice0window_sum_1_0;
+          slice0other_winner_1_0 <= 5;
+        else
+          slice0other_cost_1_0 <= slice0other_cost_1_1;
+          slice0other_winner_1_0 <= slice0other_winner_1_1;
+        end if;
+        if slice0other_cost_1_1_choice then
+          slice0other_cost_1_1 <= slice0window_sum_1_1;
+          slice0other_winner_1_1 <= 6;
+        else
+          slice0other_cost_1_1 <= slice0other_cost_1_2;
+          slice0other_winner_1_1 <= slice0other_winner_0_2;
+        end if;
+        if slice0other_cost_2_0_choice then
+          slice0other_cost_2_0 <= slice0window_sum_2_0;
+          slice0other_winner_2_0 <= 5;
+        else
+          slice0other_cost_2_0 <= slice0other_cost_2_1;
+          slice0other_winner_2_0 <= slice0other_winner_2_1;
+        end if;
+        if slice0other_cost_2_1_choice then
+          slice0other_cost_2_1 <= slice0window_sum_2_1;
+          slice0other_winner_2_1 <= 6;
+        else
+          slice0other_cost_2_1 <= slice0other_cost_2_2;
+          slice0other_winner_2_1 <= slice0other_winner_0_2;
+        end if;
+        if slice0other_cost_3_0_choice then
+          slice0other_cost_3_0 <= slice0window_sum_3_0;
+          slice0other_winner_3_0 <= 5;
+        else
+          slice0other_cost_3_0 <= slice0other_cost_3_1;
+          slice0other_winner_3_0 <= slice0other_winner_3_1;
+        end if;
+        if slice0other_cost_3_1_choice then
+          slice0other_cost_3_1 <= slice0window_sum_3_1;
+          slice0other_winner_3_1 <= 6;
+        else
+          slice0other_cost_3_1 <= slice0other_cost_3_2;
+          slice0other_winner_3_1 <= slice0other_winner_0_2;
+        end if;
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0_0;
       slice0other_cost_out_1 <= slice0other_cost_1_0;
@@ -1867,27 +2258,11 @@ begin
       slice0winner1_held_3_0 <= slice0window_sum_3_0;
       slice0winner1_held_3_1 <= slice0window_sum_3_1;
       slice0winner1_held_3_2 <= slice0window_sum_3_2;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
-      slice0winner1_best_cost_2_0 <= slice0window_sum_2_1 when slice0winner1_best_cost_2_0_is_less else
-        slice0window_sum_2_0;
-      slice0winner1_best_cost_3_0 <= slice0window_sum_3_1 when slice0winner1_best_cost_3_0_is_less else
-        slice0window_sum_3_0;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
       slice0winner1_best_index_0_1 <= 2;
       slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
       slice0winner1_best_index_2_0 <= slice0winner1_best_cost_2_0_is_less;
       slice0winner1_best_index_3_0 <= slice0winner1_best_cost_3_0_is_less;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
-      slice0winner1_best_below_1_0 <= slice0window_sum_1_0 when slice0winner1_best_cost_1_0_is_less else 0;
-      slice0winner1_best_below_2_0 <= slice0window_sum_2_0 when slice0winner1_best_cost_2_0_is_less else 0;
-      slice0winner1_best_below_3_0 <= slice0window_sum_3_0 when slice0winner1_best_cost_3_0_is_less else 0;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
-      slice0winner1_best_above_1_0 <= 0 when slice0winner1_best_cost_1_0_is_less else slice0window_sum_1_1;
-      slice0winner1_best_above_2_0 <= 0 when slice0winner1_best_cost_2_0_is_less else slice0window_sum_2_1;
-      slice0winner1_best_above_3_0 <= 0 when slice0winner1_best_cost_3_0_is_less else slice0window_sum_3_1;
       slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
       slice0winner1_best_late_cost_0_1 <= slice0winner1_held_0_2;
       slice0winner1_best_late_cost_1_0 <= slice0winner1_best_cost_1_0;
@@ -1907,6 +2282,42 @@ begin
       slice0winner1_tag_valid <= slice0window_tag_valid;
       slice0winner1_tag_output_column <= slice1window_centre_output_column_0;
       slice0winner1_tag_first_column <= slice1window_centre_first_column_0;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+      end if;
+      if slice0winner1_best_cost_1_0_is_less then
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_1;
+        slice0winner1_best_below_1_0 <= slice0window_sum_1_0;
+        slice0winner1_best_above_1_0 <= 0;
+      else
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_0;
+        slice0winner1_best_below_1_0 <= 0;
+        slice0winner1_best_above_1_0 <= slice0window_sum_1_1;
+      end if;
+      if slice0winner1_best_cost_2_0_is_less then
+        slice0winner1_best_cost_2_0 <= slice0window_sum_2_1;
+        slice0winner1_best_below_2_0 <= slice0window_sum_2_0;
+        slice0winner1_best_above_2_0 <= 0;
+      else
+        slice0winner1_best_cost_2_0 <= slice0window_sum_2_0;
+        slice0winner1_best_below_2_0 <= 0;
+        slice0winner1_best_above_2_0 <= slice0window_sum_2_1;
+      end if;
+      if slice0winner1_best_cost_3_0_is_less then
+        slice0winner1_best_cost_3_0 <= slice0window_sum_3_1;
+        slice0winner1_best_below_3_0 <= slice0window_sum_3_0;
+        slice0winner1_best_above_3_0 <= 0;
+      else
+        slice0winner1_best_cost_3_0 <= slice0window_sum_3_0;
+        slice0winner1_best_below_3_0 <= 0;
+        slice0winner1_best_above_3_0 <= slice0window_sum_3_1;
+      end if;
       if slice0winner1_tag_valid then
         slice0winner1_tag_map_column <= slice0window_tag_map_column;
         slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -1917,70 +2328,86 @@ begin
       slice0winner2_best_cost_1_0_is_less := (slice0winner1_held_1_2 - slice0winner1_best_cost_1_0) < 0;
       slice0winner2_best_cost_2_0_is_less := (slice0winner1_held_2_2 - slice0winner1_best_cost_2_0) < 0;
       slice0winner2_best_cost_3_0_is_less := (slice0winner1_held_3_2 - slice0winner1_best_cost_3_0) < 0;
-      slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_above_1_0_choice := slice0winner1_held_1_2 when slice0winner1_best_index_1_0 else
-        slice0winner1_best_above_1_0;
-      slice0winner2_best_above_2_0_choice := slice0winner1_held_2_2 when slice0winner1_best_index_2_0 else
-        slice0winner1_best_above_2_0;
-      slice0winner2_best_above_3_0_choice := slice0winner1_held_3_2 when slice0winner1_best_index_3_0 else
-        slice0winner1_best_above_3_0;
-      slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1 when (not slice0winner2_best_at_end_0_0)
-        and (not slice0winner2_best_at_start_0_0) else 1023;
-      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_at_start_0_0
-        else 1023;
-      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0 when slice0winner2_best_place_0_0 else
-        slice0winner2_best_second_0_0_choice_2;
-      slice0winner2_best_second_1_0_choice := slice0winner1_best_late_cost_1_1 when (not slice0winner2_best_at_end_1_0)
-        and (not slice0winner2_best_at_start_1_0) else 1023;
-      slice0winner2_best_second_1_0_choice_2 := slice0winner1_best_late_cost_1_0 when slice0winner2_best_at_start_1_0
-        else 1023;
-      slice0winner2_best_second_1_0_choice_3 := slice0winner1_best_but_last_1_0 when slice0winner2_best_place_1_0 else
-        slice0winner2_best_second_1_0_choice_2;
-      slice0winner2_best_second_2_0_choice := slice0winner1_best_late_cost_2_1 when (not slice0winner2_best_at_end_2_0)
-        and (not slice0winner2_best_at_start_2_0) else 1023;
-      slice0winner2_best_second_2_0_choice_2 := slice0winner1_best_late_cost_2_0 when slice0winner2_best_at_start_2_0
-        else 1023;
-      slice0winner2_best_second_2_0_choice_3 := slice0winner1_best_but_last_2_0 when slice0winner2_best_place_2_0 else
-        slice0winner2_best_second_2_0_choice_2;
-      slice0winner2_best_second_3_0_choice := slice0winner1_best_late_cost_3_1 when (not slice0winner2_best_at_end_3_0)
-        and (not slice0winner2_best_at_start_3_0) else 1023;
-      slice0winner2_best_second_3_0_choice_2 := slice0winner1_best_late_cost_3_0 when slice0winner2_best_at_start_3_0
-        else 1023;
-      slice0winner2_best_second_3_0_choice_3 := slice0winner1_best_but_last_3_0 when slice0winner2_best_place_3_0 else
-        slice0winner2_best_second_3_0_choice_2;
-      slice0winner2_best_cost_0_0 <= slice0winner1_held_0_2 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0 <= slice0winner1_held_1_2 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_2_0 <= slice0winner1_held_2_2 when slice0winner2_best_cost_2_0_is_less else
-        slice0winner1_best_cost_2_0;
-      slice0winner2_best_cost_3_0 <= slice0winner1_held_3_2 when slice0winner2_best_cost_3_0_is_less else
-        slice0winner1_best_cost_3_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_2_0_is_less else
-        as_number(slice0winner1_best_index_2_0);
-      slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_3_0_is_less else
-        as_number(slice0winner1_best_index_3_0);
-      slice0winner2_best_below_0_0 <= slice0winner1_held_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_below_0_0;
-      slice0winner2_best_below_1_0 <= slice0winner1_held_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_below_1_0;
-      slice0winner2_best_below_2_0 <= slice0winner1_held_2_1 when slice0winner2_best_cost_2_0_is_less else
-        slice0winner1_best_below_2_0;
-      slice0winner2_best_below_3_0 <= slice0winner1_held_3_1 when slice0winner2_best_cost_3_0_is_less else
-        slice0winner1_best_below_3_0;
-      slice0winner2_best_above_0_0 <= 0 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner2_best_above_0_0_choice;
-      slice0winner2_best_above_1_0 <= 0 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner2_best_above_1_0_choice;
-      slice0winner2_best_above_2_0 <= 0 when slice0winner2_best_cost_2_0_is_less else
-        slice0winner2_best_above_2_0_choice;
-      slice0winner2_best_above_3_0 <= 0 when slice0winner2_best_cost_3_0_is_less else
-        slice0winner2_best_above_3_0_choice;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
+      if slice0winner1_best_index_1_0 then
+        slice0winner2_best_above_1_0_choice := slice0winner1_held_1_2;
+      else
+        slice0winner2_best_above_1_0_choice := slice0winner1_best_above_1_0;
+      end if;
+      if slice0winner1_best_index_2_0 then
+        slice0winner2_best_above_2_0_choice := slice0winner1_held_2_2;
+      else
+        slice0winner2_best_above_2_0_choice := slice0winner1_best_above_2_0;
+      end if;
+      if slice0winner1_best_index_3_0 then
+        slice0winner2_best_above_3_0_choice := slice0winner1_held_3_2;
+      else
+        slice0winner2_best_above_3_0_choice := slice0winner1_best_above_3_0;
+      end if;
+      if (not slice0winner2_best_at_end_0_0) and (not slice0winner2_best_at_start_0_0) then
+        slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1;
+      else
+        slice0winner2_best_second_0_0_choice := 1023;
+      end if;
+      if slice0winner2_best_at_start_0_0 then
+        slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_2 := 1023;
+      end if;
+      if slice0winner2_best_place_0_0 then
+        slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_3 := slice0winner2_best_second_0_0_choice_2;
+      end if;
+      if (not slice0winner2_best_at_end_1_0) and (not slice0winner2_best_at_start_1_0) then
+        slice0winner2_best_second_1_0_choice := slice0winner1_best_late_cost_1_1;
+      else
+        slice0winner2_best_second_1_0_choice := 1023;
+      end if;
+      if slice0winner2_best_at_start_1_0 then
+        slice0winner2_best_second_1_0_choice_2 := slice0winner1_best_late_cost_1_0;
+      else
+        slice0winner2_best_second_1_0_choice_2 := 1023;
+      end if;
+      if slice0winner2_best_place_1_0 then
+        slice0winner2_best_second_1_0_choice_3 := slice0winner1_best_but_last_1_0;
+      else
+        slice0winner2_best_second_1_0_choice_3 := slice0winner2_best_second_1_0_choice_2;
+      end if;
+      if (not slice0winner2_best_at_end_2_0) and (not slice0winner2_best_at_start_2_0) then
+        slice0winner2_best_second_2_0_choice := slice0winner1_best_late_cost_2_1;
+      else
+        slice0winner2_best_second_2_0_choice := 1023;
+      end if;
+      if slice0winner2_best_at_start_2_0 then
+        slice0winner2_best_second_2_0_choice_2 := slice0winner1_best_late_cost_2_0;
+      else
+        slice0winner2_best_second_2_0_choice_2 := 1023;
+      end if;
+      if slice0winner2_best_place_2_0 then
+        slice0winner2_best_second_2_0_choice_3 := slice0winner1_best_but_last_2_0;
+      else
+        slice0winner2_best_second_2_0_choice_3 := slice0winner2_best_second_2_0_choice_2;
+      end if;
+      if (not slice0winner2_best_at_end_3_0) and (not slice0winner2_best_at_start_3_0) then
+        slice0winner2_best_second_3_0_choice := slice0winner1_best_late_cost_3_1;
+      else
+        slice0winner2_best_second_3_0_choice := 1023;
+      end if;
+      if slice0winner2_best_at_start_3_0 then
+        slice0winner2_best_second_3_0_choice_2 := slice0winner1_best_late_cost_3_0;
+      else
+        slice0winner2_best_second_3_0_choice_2 := 1023;
+      end if;
+      if slice0winner2_best_place_3_0 then
+        slice0winner2_best_second_3_0_choice_3 := slice0winner1_best_but_last_3_0;
+      else
+        slice0winner2_best_second_3_0_choice_3 := slice0winner2_best_second_3_0_choice_2;
+      end if;
       slice0winner2_best_first_0_0 <= slice0winner1_held_0_0;
       slice0winner2_best_first_1_0 <= slice0winner1_held_1_0;
       slice0winner2_best_first_2_0 <= slice0winner1_held_2_0;
@@ -2005,28 +2432,96 @@ begin
       slice0winner2_best_late_cost_1_0 <= slice0winner2_best_cost_1_0;
       slice0winner2_best_late_cost_2_0 <= slice0winner2_best_cost_2_0;
       slice0winner2_best_late_cost_3_0 <= slice0winner2_best_cost_3_0;
-      slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice when (slice0winner2_best_second_0_0_choice
-        - slice0winner2_best_second_0_0_choice_3) < 0 else slice0winner2_best_second_0_0_choice_3;
-      slice0winner2_best_second_1_0 <= slice0winner2_best_second_1_0_choice when (slice0winner2_best_second_1_0_choice
-        - slice0winner2_best_second_1_0_choice_3) < 0 else slice0winner2_best_second_1_0_choice_3;
-      slice0winner2_best_second_2_0 <= slice0winner2_best_second_2_0_choice when (slice0winner2_best_second_2_0_choice
-        - slice0winner2_best_second_2_0_choice_3) < 0 else slice0winner2_best_second_2_0_choice_3;
-      slice0winner2_best_second_3_0 <= slice0winner2_best_second_3_0_choice when (slice0winner2_best_second_3_0_choice
-        - slice0winner2_best_second_3_0_choice_3) < 0 else slice0winner2_best_second_3_0_choice_3;
-      slice0winner2_best_but_first_0_0 <= slice0winner1_best_late_cost_0_1 when (slice0winner1_best_late_cost_0_1 -
-        slice0winner1_best_but_first_0_0) < 0 else slice0winner1_best_but_first_0_0;
-      slice0winner2_best_but_first_1_0 <= slice0winner1_best_late_cost_1_1 when (slice0winner1_best_late_cost_1_1 -
-        slice0winner1_best_but_first_1_0) < 0 else slice0winner1_best_but_first_1_0;
-      slice0winner2_best_but_first_2_0 <= slice0winner1_best_late_cost_2_1 when (slice0winner1_best_late_cost_2_1 -
-        slice0winner1_best_but_first_2_0) < 0 else slice0winner1_best_but_first_2_0;
-      slice0winner2_best_but_first_3_0 <= slice0winner1_best_late_cost_3_1 when (slice0winner1_best_late_cost_3_1 -
-        slice0winner1_best_but_first_3_0) < 0 else slice0winner1_best_but_first_3_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_output_column <= slice1window_tag_output_column;
       slice0winner2_tag_first_column <= slice1window_tag_first_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_held_0_2;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner1_held_0_1;
+        slice0winner2_best_above_0_0 <= 0;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      end if;
+      if slice0winner2_best_cost_1_0_is_less then
+        slice0winner2_best_cost_1_0 <= slice0winner1_held_1_2;
+        slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_1_0 <= slice0winner1_held_1_1;
+        slice0winner2_best_above_1_0 <= 0;
+      else
+        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+        slice0winner2_best_index_1_0 <= as_number(slice0winner1_best_index_1_0);
+        slice0winner2_best_below_1_0 <= slice0winner1_best_below_1_0;
+        slice0winner2_best_above_1_0 <= slice0winner2_best_above_1_0_choice;
+      end if;
+      if slice0winner2_best_cost_2_0_is_less then
+        slice0winner2_best_cost_2_0 <= slice0winner1_held_2_2;
+        slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_2_0 <= slice0winner1_held_2_1;
+        slice0winner2_best_above_2_0 <= 0;
+      else
+        slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_0;
+        slice0winner2_best_index_2_0 <= as_number(slice0winner1_best_index_2_0);
+        slice0winner2_best_below_2_0 <= slice0winner1_best_below_2_0;
+        slice0winner2_best_above_2_0 <= slice0winner2_best_above_2_0_choice;
+      end if;
+      if slice0winner2_best_cost_3_0_is_less then
+        slice0winner2_best_cost_3_0 <= slice0winner1_held_3_2;
+        slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_3_0 <= slice0winner1_held_3_1;
+        slice0winner2_best_above_3_0 <= 0;
+      else
+        slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_0;
+        slice0winner2_best_index_3_0 <= as_number(slice0winner1_best_index_3_0);
+        slice0winner2_best_below_3_0 <= slice0winner1_best_below_3_0;
+        slice0winner2_best_above_3_0 <= slice0winner2_best_above_3_0_choice;
+      end if;
+      if (slice0winner2_best_second_0_0_choice - slice0winner2_best_second_0_0_choice_3) < 0 then
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice;
+      else
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_3;
+      end if;
+      if (slice0winner2_best_second_1_0_choice - slice0winner2_best_second_1_0_choice_3) < 0 then
+        slice0winner2_best_second_1_0 <= slice0winner2_best_second_1_0_choice;
+      else
+        slice0winner2_best_second_1_0 <= slice0winner2_best_second_1_0_choice_3;
+      end if;
+      if (slice0winner2_best_second_2_0_choice - slice0winner2_best_second_2_0_choice_3) < 0 then
+        slice0winner2_best_second_2_0 <= slice0winner2_best_second_2_0_choice;
+      else
+        slice0winner2_best_second_2_0 <= slice0winner2_best_second_2_0_choice_3;
+      end if;
+      if (slice0winner2_best_second_3_0_choice - slice0winner2_best_second_3_0_choice_3) < 0 then
+        slice0winner2_best_second_3_0 <= slice0winner2_best_second_3_0_choice;
+      else
+        slice0winner2_best_second_3_0 <= slice0winner2_best_second_3_0_choice_3;
+      end if;
+      if (slice0winner1_best_late_cost_0_1 - slice0winner1_best_but_first_0_0) < 0 then
+        slice0winner2_best_but_first_0_0 <= slice0winner1_best_late_cost_0_1;
+      else
+        slice0winner2_best_but_first_0_0 <= slice0winner1_best_but_first_0_0;
+      end if;
+      if (slice0winner1_best_late_cost_1_1 - slice0winner1_best_but_first_1_0) < 0 then
+        slice0winner2_best_but_first_1_0 <= slice0winner1_best_late_cost_1_1;
+      else
+        slice0winner2_best_but_first_1_0 <= slice0winner1_best_but_first_1_0;
+      end if;
+      if (slice0winner1_best_late_cost_2_1 - slice0winner1_best_but_first_2_0) < 0 then
+        slice0winner2_best_but_first_2_0 <= slice0winner1_best_late_cost_2_1;
+      else
+        slice0winner2_best_but_first_2_0 <= slice0winner1_best_but_first_2_0;
+      end if;
+      if (slice0winner1_best_late_cost_3_1 - slice0winner1_best_but_first_3_0) < 0 then
+        slice0winner2_best_but_first_3_0 <= slice0winner1_best_late_cost_3_1;
+      else
+        slice0winner2_best_but_first_3_0 <= slice0winner1_best_but_first_3_0;
+      end if;
       -- slice0
       slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
       slice0_best_index_1_0 <= slice0winner2_best_index_1_0 + 5;
@@ -2215,33 +2710,48 @@ begin
       slice1cost_single_5_0 <= (slice1cost_single_5_0_choice + as_number(slice1cost_single_5_0_is_less)) mod 256;
       slice1cost_single_5_1 <= (slice1cost_single_5_1_choice + as_number(slice1cost_single_5_1_is_less)) mod 256;
       slice1cost_single_5_2 <= (slice1cost_single_5_2_choice + as_number(slice1cost_single_5_2_is_less)) mod 256;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0) mod 256;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1) mod 256;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2) mod 256;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_3_0) mod 256;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_3_1) mod 256;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_3_2) mod 256;
-      slice1cost_column_2_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_0) +
-        slice1cost_pair_1_0 + slice1cost_single_2_0) mod 256;
-      slice1cost_column_2_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_1) +
-        slice1cost_pair_1_1 + slice1cost_single_2_1) mod 256;
-      slice1cost_column_2_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_2) +
-        slice1cost_pair_1_2 + slice1cost_single_2_2) mod 256;
-      slice1cost_column_3_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_0) +
-        slice1cost_pair_1_0 + slice1cost_single_5_0) mod 256;
-      slice1cost_column_3_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_1) +
-        slice1cost_pair_1_1 + slice1cost_single_5_1) mod 256;
-      slice1cost_column_3_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_2) +
-        slice1cost_pair_1_2 + slice1cost_single_5_2) mod 256;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       slice1cost_tag_first_cost <= slice0cost_tag_first_cost;
       slice1cost_tag_output_column <= slice0cost_tag_output_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_1_0 <= 0;
+        slice1cost_column_1_1 <= 0;
+        slice1cost_column_1_2 <= 0;
+        slice1cost_column_2_0 <= 0;
+        slice1cost_column_2_1 <= 0;
+        slice1cost_column_2_2 <= 0;
+        slice1cost_column_3_0 <= 0;
+        slice1cost_column_3_1 <= 0;
+        slice1cost_column_3_2 <= 0;
+      else
+        slice1cost_column_0_0 <= (as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0) mod
+          256;
+        slice1cost_column_0_1 <= (as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1) mod
+          256;
+        slice1cost_column_0_2 <= (as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2) mod
+          256;
+        slice1cost_column_1_0 <= (as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_3_0) mod
+          256;
+        slice1cost_column_1_1 <= (as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_3_1) mod
+          256;
+        slice1cost_column_1_2 <= (as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_3_2) mod
+          256;
+        slice1cost_column_2_0 <= (as_number(slice1cost_negative_1_0) + slice1cost_pair_1_0 + slice1cost_single_2_0) mod
+          256;
+        slice1cost_column_2_1 <= (as_number(slice1cost_negative_1_1) + slice1cost_pair_1_1 + slice1cost_single_2_1) mod
+          256;
+        slice1cost_column_2_2 <= (as_number(slice1cost_negative_1_2) + slice1cost_pair_1_2 + slice1cost_single_2_2) mod
+          256;
+        slice1cost_column_3_0 <= (as_number(slice1cost_negative_1_0) + slice1cost_pair_1_0 + slice1cost_single_5_0) mod
+          256;
+        slice1cost_column_3_1 <= (as_number(slice1cost_negative_1_1) + slice1cost_pair_1_1 + slice1cost_single_5_1) mod
+          256;
+        slice1cost_column_3_2 <= (as_number(slice1cost_negative_1_2) + slice1cost_pair_1_2 + slice1cost_single_5_2) mod
+          256;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -2291,53 +2801,146 @@ begin
       slice1other_cost_0_0_any := (not slice0winner1_tag_output_column) or ((not slice0winner1_tag_first_column) and
         ((slice1other_cost_0_1 - slice1window_sum_0_0) < 0));
       slice1other_cost_0_1_any := (not slice0winner1_tag_output_column) or (not slice0winner1_tag_first_column);
-      slice1other_cost_0_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_2 -
-        slice1window_sum_0_1) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_2_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_0 -
-        slice1window_sum_0_2) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_1_0_choice := not slice0winner1_tag_output_column when (slice1other_cost_1_1 -
-        slice1window_sum_1_0) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_1_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_1_2 -
-        slice1window_sum_1_1) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_1_2_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_1 -
-        slice1window_sum_1_2) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_2_0_choice := not slice0winner1_tag_output_column when (slice1other_cost_2_1 -
-        slice1window_sum_2_0) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_2_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_2_2 -
-        slice1window_sum_2_1) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_2_2_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_2 -
-        slice1window_sum_2_2) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_3_0_choice := not slice0winner1_tag_output_column when (slice1other_cost_3_1 -
-        slice1window_sum_3_0) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_3_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_3_2 -
-        slice1window_sum_3_1) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_3_2_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_3 -
-        slice1window_sum_3_2) >= 0 else slice1other_cost_0_1_any;
+      if (slice1other_cost_0_2 - slice1window_sum_0_1) >= 0 then
+        slice1other_cost_0_1_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_1_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice0other_cost_out_0 - slice1window_sum_0_2) >= 0 then
+        slice1other_cost_0_2_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_2_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_1_1 - slice1window_sum_1_0) >= 0 then
+        slice1other_cost_1_0_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_1_0_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_1_2 - slice1window_sum_1_1) >= 0 then
+        slice1other_cost_1_1_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_1_1_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice0other_cost_out_1 - slice1window_sum_1_2) >= 0 then
+        slice1other_cost_1_2_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_1_2_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_2_1 - slice1window_sum_2_0) >= 0 then
+        slice1other_cost_2_0_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_2_0_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_2_2 - slice1window_sum_2_1) >= 0 then
+        slice1other_cost_2_1_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_2_1_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice0other_cost_out_2 - slice1window_sum_2_2) >= 0 then
+        slice1other_cost_2_2_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_2_2_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_3_1 - slice1window_sum_3_0) >= 0 then
+        slice1other_cost_3_0_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_3_0_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_3_2 - slice1window_sum_3_1) >= 0 then
+        slice1other_cost_3_1_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_3_1_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice0other_cost_out_3 - slice1window_sum_3_2) >= 0 then
+        slice1other_cost_3_2_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_3_2_choice := slice1other_cost_0_1_any;
+      end if;
       if slice0winner1_tag_valid then
-        slice1other_cost_0_0 <= slice1other_cost_0_1 when slice1other_cost_0_0_any else slice1window_sum_0_0;
-        slice1other_cost_0_1 <= slice1other_cost_0_2 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
-        slice1other_cost_0_2 <= slice0other_cost_out_0 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
-        slice1other_cost_1_0 <= slice1other_cost_1_1 when slice1other_cost_1_0_choice else slice1window_sum_1_0;
-        slice1other_cost_1_1 <= slice1other_cost_1_2 when slice1other_cost_1_1_choice else slice1window_sum_1_1;
-        slice1other_cost_1_2 <= slice0other_cost_out_1 when slice1other_cost_1_2_choice else slice1window_sum_1_2;
-        slice1other_cost_2_0 <= slice1other_cost_2_1 when slice1other_cost_2_0_choice else slice1window_sum_2_0;
-        slice1other_cost_2_1 <= slice1other_cost_2_2 when slice1other_cost_2_1_choice else slice1window_sum_2_1;
-        slice1other_cost_2_2 <= slice0other_cost_out_2 when slice1other_cost_2_2_choice else slice1window_sum_2_2;
-        slice1other_cost_3_0 <= slice1other_cost_3_1 when slice1other_cost_3_0_choice else slice1window_sum_3_0;
-        slice1other_cost_3_1 <= slice1other_cost_3_2 when slice1other_cost_3_1_choice else slice1window_sum_3_1;
-        slice1other_cost_3_2 <= slice0other_cost_out_3 when slice1other_cost_3_2_choice else slice1window_sum_3_2;
-        slice1other_winner_0_0 <= slice1other_winner_0_1 when slice1other_cost_0_0_any else 2;
-        slice1other_winner_0_1 <= slice1other_winner_0_2 when slice1other_cost_0_1_choice else 3;
-        slice1other_winner_0_2 <= slice0other_winner_out_0 when slice1other_cost_0_2_choice else 4;
-        slice1other_winner_1_0 <= slice1other_winner_1_1 when slice1other_cost_1_0_choice else 2;
-        slice1other_winner_1_1 <= slice1other_winner_1_2 when slice1other_cost_1_1_choice else 3;
-        slice1other_winner_1_2 <= slice0other_winner_out_1 when slice1other_cost_1_2_choice else 4;
-        slice1other_winner_2_0 <= slice1other_winner_2_1 when slice1other_cost_2_0_choice else 2;
-        slice1other_winner_2_1 <= slice1other_winner_2_2 when slice1other_cost_2_1_choice else 3;
-        slice1other_winner_2_2 <= slice0other_winner_out_2 when slice1other_cost_2_2_choice else 4;
-        slice1other_winner_3_0 <= slice1other_winner_3_1 when slice1other_cost_3_0_choice else 2;
-        slice1other_winner_3_1 <= slice1other_winner_3_2 when slice1other_cost_3_1_choice else 3;
-        slice1other_winner_3_2 <= slice0other_winner_out_3 when slice1other_cost_3_2_choice else 4;
+        if slice1other_cost_0_0_any then
+          slice1other_cost_0_0 <= slice1other_cost_0_1;
+          slice1other_winner_0_0 <= slice1other_winner_0_1;
+        else
+          slice1other_cost_0_0 <= slice1window_sum_0_0;
+          slice1other_winner_0_0 <= 2;
+        end if;
+        if slice1other_cost_0_1_choice then
+          slice1other_cost_0_1 <= slice1other_cost_0_2;
+          slice1other_winner_0_1 <= slice1other_winner_0_2;
+        else
+          slice1other_cost_0_1 <= slice1window_sum_0_1;
+          slice1other_winner_0_1 <= 3;
+        end if;
+        if slice1other_cost_0_2_choice then
+          slice1other_cost_0_2 <= slice0other_cost_out_0;
+          slice1other_winner_0_2 <= slice0other_winner_out_0;
+        else
+          slice1other_cost_0_2 <= slice1window_sum_0_2;
+          slice1other_winner_0_2 <= 4;
+        end if;
+        if slice1other_cost_1_0_choice then
+          slice1other_cost_1_0 <= slice1other_cost_1_1;
+          slice1other_winner_1_0 <= slice1other_winner_1_1;
+        else
+          slice1other_cost_1_0 <= slice1window_sum_1_0;
+          slice1other_winner_1_0 <= 2;
+        end if;
+        if slice1other_cost_1_1_choice then
+          slice1other_cost_1_1 <= slice1other_cost_1_2;
+          slice1other_winner_1_1 <= slice1other_winner_1_2;
+        else
+          slice1other_cost_1_1 <= slice1window_sum_1_1;
+          slice1other_winner_1_1 <= 3;
+        end if;
+        if slice1other_cost_1_2_choice then
+          slice1other_cost_1_2 <= slice0other_cost_out_1;
+          slice1other_winner_1_2 <= slice0other_winner_out_1;
+        else
+          slice1other_cost_1_2 <= slice1window_sum_1_2;
+          slice1other_winner_1_2 <= 4;
+        end if;
+        if slice1other_cost_2_0_choice then
+          slice1other_cost_2_0 <= slice1other_cost_2_1;
+          slice1other_winner_2_0 <= slice1other_winner_2_1;
+        else
+          slice1other_cost_2_0 <= slice1window_sum_2_0;
+          slice1other_winner_2_0 <= 2;
+        end if;
+        if slice1other_cost_2_1_choice then
+          slice1other_cost_2_1 <= slice1other_cost_2_2;
+          slice1other_winner_2_1 <= slice1other_winner_2_2;
+        else
+          slice1other_cost_2_1 <= slice1window_sum_2_1;
+          slice1other_winner_2_1 <= 3;
+        end if;
+        if slice1other_cost_2_2_choice then
+          slice1other_cost_2_2 <= slice0other_cost_out_2;
+          slice1other_winner_2_2 <= slice0other_winner_out_2;
+        else
+          slice1other_cost_2_2 <= slice1window_sum_2_2;
+          slice1other_winner_2_2 <= 4;
+        end if;
+        if slice1other_cost_3_0_choice then
+          slice1other_cost_3_0 <= slice1other_cost_3_1;
+          slice1other_winner_3_0 <= slice1other_winner_3_1;
+        else
+          slice1other_cost_3_0 <= slice1window_sum_3_0;
+          slice1other_winner_3_0 <= 2;
+        end if;
+        if slice1other_cost_3_1_choice then
+          slice1other_cost_3_1 <= slice1other_cost_3_2;
+          slice1other_winner_3_1 <= slice1other_winner_3_2;
+        else
+          slice1other_cost_3_1 <= slice1window_sum_3_1;
+          slice1other_winner_3_1 <= 3;
+        end if;
+        if slice1other_cost_3_2_choice then
+          slice1other_cost_3_2 <= slice0other_cost_out_3;
+          slice1other_winner_3_2 <= slice0other_winner_out_3;
+        else
+          slice1other_cost_3_2 <= slice1window_sum_3_2;
+          slice1other_winner_3_2 <= 4;
+        end if;
       end if;
       slice1other_cost_out_0 <= slice1other_cost_0_0;
       slice1other_cost_out_1 <= slice1other_cost_1_0;
@@ -2364,26 +2967,10 @@ begin
       slice1winner1_held_3_0 <= slice1window_sum_3_0;
       slice1winner1_held_3_1 <= slice1window_sum_3_1;
       slice1winner1_held_3_2 <= slice1window_sum_3_2;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
-      slice1winner1_best_cost_2_0 <= slice1window_sum_2_1 when slice1winner1_best_cost_2_0_is_less else
-        slice1window_sum_2_0;
-      slice1winner1_best_cost_3_0 <= slice1window_sum_3_1 when slice1winner1_best_cost_3_0_is_less else
-        slice1window_sum_3_0;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
       slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
       slice1winner1_best_index_2_0 <= slice1winner1_best_cost_2_0_is_less;
       slice1winner1_best_index_3_0 <= slice1winner1_best_cost_3_0_is_less;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
-      slice1winner1_best_below_1_0 <= slice1window_sum_1_0 when slice1winner1_best_cost_1_0_is_less else 0;
-      slice1winner1_best_below_2_0 <= slice1window_sum_2_0 when slice1winner1_best_cost_2_0_is_less else 0;
-      slice1winner1_best_below_3_0 <= slice1window_sum_3_0 when slice1winner1_best_cost_3_0_is_less else 0;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
-      slice1winner1_best_above_1_0 <= 0 when slice1winner1_best_cost_1_0_is_less else slice1window_sum_1_1;
-      slice1winner1_best_above_2_0 <= 0 when slice1winner1_best_cost_2_0_is_less else slice1window_sum_2_1;
-      slice1winner1_best_above_3_0 <= 0 when slice1winner1_best_cost_3_0_is_less else slice1window_sum_3_1;
       slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
       slice1winner1_best_late_cost_0_1 <= slice1winner1_held_0_2;
       slice1winner1_best_late_cost_1_0 <= slice1winner1_best_cost_1_0;
@@ -2400,75 +2987,127 @@ begin
       slice1winner1_best_but_last_1_0 <= slice1winner1_held_1_0;
       slice1winner1_best_but_last_2_0 <= slice1winner1_held_2_0;
       slice1winner1_best_but_last_3_0 <= slice1winner1_held_3_0;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+      end if;
+      if slice1winner1_best_cost_1_0_is_less then
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_1;
+        slice1winner1_best_below_1_0 <= slice1window_sum_1_0;
+        slice1winner1_best_above_1_0 <= 0;
+      else
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_0;
+        slice1winner1_best_below_1_0 <= 0;
+        slice1winner1_best_above_1_0 <= slice1window_sum_1_1;
+      end if;
+      if slice1winner1_best_cost_2_0_is_less then
+        slice1winner1_best_cost_2_0 <= slice1window_sum_2_1;
+        slice1winner1_best_below_2_0 <= slice1window_sum_2_0;
+        slice1winner1_best_above_2_0 <= 0;
+      else
+        slice1winner1_best_cost_2_0 <= slice1window_sum_2_0;
+        slice1winner1_best_below_2_0 <= 0;
+        slice1winner1_best_above_2_0 <= slice1window_sum_2_1;
+      end if;
+      if slice1winner1_best_cost_3_0_is_less then
+        slice1winner1_best_cost_3_0 <= slice1window_sum_3_1;
+        slice1winner1_best_below_3_0 <= slice1window_sum_3_0;
+        slice1winner1_best_above_3_0 <= 0;
+      else
+        slice1winner1_best_cost_3_0 <= slice1window_sum_3_0;
+        slice1winner1_best_below_3_0 <= 0;
+        slice1winner1_best_above_3_0 <= slice1window_sum_3_1;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_held_0_2 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_1_0_is_less := (slice1winner1_held_1_2 - slice1winner1_best_cost_1_0) < 0;
       slice1winner2_best_cost_2_0_is_less := (slice1winner1_held_2_2 - slice1winner1_best_cost_2_0) < 0;
       slice1winner2_best_cost_3_0_is_less := (slice1winner1_held_3_2 - slice1winner1_best_cost_3_0) < 0;
-      slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_above_1_0_choice := slice1winner1_held_1_2 when slice1winner1_best_index_1_0 else
-        slice1winner1_best_above_1_0;
-      slice1winner2_best_above_2_0_choice := slice1winner1_held_2_2 when slice1winner1_best_index_2_0 else
-        slice1winner1_best_above_2_0;
-      slice1winner2_best_above_3_0_choice := slice1winner1_held_3_2 when slice1winner1_best_index_3_0 else
-        slice1winner1_best_above_3_0;
-      slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1 when (not slice1winner2_best_at_end_0_0)
-        and (not slice1winner2_best_at_start_0_0) else 1023;
-      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_at_start_0_0
-        else 1023;
-      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0 when slice1winner2_best_place_0_0 else
-        slice1winner2_best_second_0_0_choice_2;
-      slice1winner2_best_second_1_0_choice := slice1winner1_best_late_cost_1_1 when (not slice1winner2_best_at_end_1_0)
-        and (not slice1winner2_best_at_start_1_0) else 1023;
-      slice1winner2_best_second_1_0_choice_2 := slice1winner1_best_late_cost_1_0 when slice1winner2_best_at_start_1_0
-        else 1023;
-      slice1winner2_best_second_1_0_choice_3 := slice1winner1_best_but_last_1_0 when slice1winner2_best_place_1_0 else
-        slice1winner2_best_second_1_0_choice_2;
-      slice1winner2_best_second_2_0_choice := slice1winner1_best_late_cost_2_1 when (not slice1winner2_best_at_end_2_0)
-        and (not slice1winner2_best_at_start_2_0) else 1023;
-      slice1winner2_best_second_2_0_choice_2 := slice1winner1_best_late_cost_2_0 when slice1winner2_best_at_start_2_0
-        else 1023;
-      slice1winner2_best_second_2_0_choice_3 := slice1winner1_best_but_last_2_0 when slice1winner2_best_place_2_0 else
-        slice1winner2_best_second_2_0_choice_2;
-      slice1winner2_best_second_3_0_choice := slice1winner1_best_late_cost_3_1 when (not slice1winner2_best_at_end_3_0)
-        and (not slice1winner2_best_at_start_3_0) else 1023;
-      slice1winner2_best_second_3_0_choice_2 := slice1winner1_best_late_cost_3_0 when slice1winner2_best_at_start_3_0
-        else 1023;
-      slice1winner2_best_second_3_0_choice_3 := slice1winner1_best_but_last_3_0 when slice1winner2_best_place_3_0 else
-        slice1winner2_best_second_3_0_choice_2;
-      slice1winner2_best_cost_0_0 <= slice1winner1_held_0_2 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_held_1_2 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_2_0 <= slice1winner1_held_2_2 when slice1winner2_best_cost_2_0_is_less else
-        slice1winner1_best_cost_2_0;
-      slice1winner2_best_cost_3_0 <= slice1winner1_held_3_2 when slice1winner2_best_cost_3_0_is_less else
-        slice1winner1_best_cost_3_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
-      slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_2_0_is_less else
-        as_number(slice1winner1_best_index_2_0);
-      slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_3_0_is_less else
-        as_number(slice1winner1_best_index_3_0);
-      slice1winner2_best_below_0_0 <= slice1winner1_held_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_below_0_0;
-      slice1winner2_best_below_1_0 <= slice1winner1_held_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_below_1_0;
-      slice1winner2_best_below_2_0 <= slice1winner1_held_2_1 when slice1winner2_best_cost_2_0_is_less else
-        slice1winner1_best_below_2_0;
-      slice1winner2_best_below_3_0 <= slice1winner1_held_3_1 when slice1winner2_best_cost_3_0_is_less else
-        slice1winner1_best_below_3_0;
-      slice1winner2_best_above_0_0 <= 0 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner2_best_above_0_0_choice;
-      slice1winner2_best_above_1_0 <= 0 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner2_best_above_1_0_choice;
-      slice1winner2_best_above_2_0 <= 0 when slice1winner2_best_cost_2_0_is_less else
-        slice1winner2_best_above_2_0_choice;
-      slice1winner2_best_above_3_0 <= 0 when slice1winner2_best_cost_3_0_is_less else
-        slice1winner2_best_above_3_0_choice;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
+      if slice1winner1_best_index_1_0 then
+        slice1winner2_best_above_1_0_choice := slice1winner1_held_1_2;
+      else
+        slice1winner2_best_above_1_0_choice := slice1winner1_best_above_1_0;
+      end if;
+      if slice1winner1_best_index_2_0 then
+        slice1winner2_best_above_2_0_choice := slice1winner1_held_2_2;
+      else
+        slice1winner2_best_above_2_0_choice := slice1winner1_best_above_2_0;
+      end if;
+      if slice1winner1_best_index_3_0 then
+        slice1winner2_best_above_3_0_choice := slice1winner1_held_3_2;
+      else
+        slice1winner2_best_above_3_0_choice := slice1winner1_best_above_3_0;
+      end if;
+      if (not slice1winner2_best_at_end_0_0) and (not slice1winner2_best_at_start_0_0) then
+        slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1;
+      else
+        slice1winner2_best_second_0_0_choice := 1023;
+      end if;
+      if slice1winner2_best_at_start_0_0 then
+        slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_2 := 1023;
+      end if;
+      if slice1winner2_best_place_0_0 then
+        slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_3 := slice1winner2_best_second_0_0_choice_2;
+      end if;
+      if (not slice1winner2_best_at_end_1_0) and (not slice1winner2_best_at_start_1_0) then
+        slice1winner2_best_second_1_0_choice := slice1winner1_best_late_cost_1_1;
+      else
+        slice1winner2_best_second_1_0_choice := 1023;
+      end if;
+      if slice1winner2_best_at_start_1_0 then
+        slice1winner2_best_second_1_0_choice_2 := slice1winner1_best_late_cost_1_0;
+      else
+        slice1winner2_best_second_1_0_choice_2 := 1023;
+      end if;
+      if slice1winner2_best_place_1_0 then
+        slice1winner2_best_second_1_0_choice_3 := slice1winner1_best_but_last_1_0;
+      else
+        slice1winner2_best_second_1_0_choice_3 := slice1winner2_best_second_1_0_choice_2;
+      end if;
+      if (not slice1winner2_best_at_end_2_0) and (not slice1winner2_best_at_start_2_0) then
+        slice1winner2_best_second_2_0_choice := slice1winner1_best_late_cost_2_1;
+      else
+        slice1winner2_best_second_2_0_choice := 1023;
+      end if;
+      if slice1winner2_best_at_start_2_0 then
+        slice1winner2_best_second_2_0_choice_2 := slice1winner1_best_late_cost_2_0;
+      else
+        slice1winner2_best_second_2_0_choice_2 := 1023;
+      end if;
+      if slice1winner2_best_place_2_0 then
+        slice1winner2_best_second_2_0_choice_3 := slice1winner1_best_but_last_2_0;
+      else
+        slice1winner2_best_second_2_0_choice_3 := slice1winner2_best_second_2_0_choice_2;
+      end if;
+      if (not slice1winner2_best_at_end_3_0) and (not slice1winner2_best_at_start_3_0) then
+        slice1winner2_best_second_3_0_choice := slice1winner1_best_late_cost_3_1;
+      else
+        slice1winner2_best_second_3_0_choice := 1023;
+      end if;
+      if slice1winner2_best_at_start_3_0 then
+        slice1winner2_best_second_3_0_choice_2 := slice1winner1_best_late_cost_3_0;
+      else
+        slice1winner2_best_second_3_0_choice_2 := 1023;
+      end if;
+      if slice1winner2_best_place_3_0 then
+        slice1winner2_best_second_3_0_choice_3 := slice1winner1_best_but_last_3_0;
+      else
+        slice1winner2_best_second_3_0_choice_3 := slice1winner2_best_second_3_0_choice_2;
+      end if;
       slice1winner2_best_first_0_0 <= slice1winner1_held_0_0;
       slice1winner2_best_first_1_0 <= slice1winner1_held_1_0;
       slice1winner2_best_first_2_0 <= slice1winner1_held_2_0;
@@ -2493,26 +3132,94 @@ begin
       slice1winner2_best_late_cost_1_0 <= slice1winner2_best_cost_1_0;
       slice1winner2_best_late_cost_2_0 <= slice1winner2_best_cost_2_0;
       slice1winner2_best_late_cost_3_0 <= slice1winner2_best_cost_3_0;
-      slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice when (slice1winner2_best_second_0_0_choice
-        - slice1winner2_best_second_0_0_choice_3) < 0 else slice1winner2_best_second_0_0_choice_3;
-      slice1winner2_best_second_1_0 <= slice1winner2_best_second_1_0_choice when (slice1winner2_best_second_1_0_choice
-        - slice1winner2_best_second_1_0_choice_3) < 0 else slice1winner2_best_second_1_0_choice_3;
-      slice1winner2_best_second_2_0 <= slice1winner2_best_second_2_0_choice when (slice1winner2_best_second_2_0_choice
-        - slice1winner2_best_second_2_0_choice_3) < 0 else slice1winner2_best_second_2_0_choice_3;
-      slice1winner2_best_second_3_0 <= slice1winner2_best_second_3_0_choice when (slice1winner2_best_second_3_0_choice
-        - slice1winner2_best_second_3_0_choice_3) < 0 else slice1winner2_best_second_3_0_choice_3;
-      slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1 when (slice1winner1_best_late_cost_0_1 -
-        slice1winner1_best_but_first_0_0) < 0 else slice1winner1_best_but_first_0_0;
-      slice1winner2_best_but_first_1_0 <= slice1winner1_best_late_cost_1_1 when (slice1winner1_best_late_cost_1_1 -
-        slice1winner1_best_but_first_1_0) < 0 else slice1winner1_best_but_first_1_0;
-      slice1winner2_best_but_first_2_0 <= slice1winner1_best_late_cost_2_1 when (slice1winner1_best_late_cost_2_1 -
-        slice1winner1_best_but_first_2_0) < 0 else slice1winner1_best_but_first_2_0;
-      slice1winner2_best_but_first_3_0 <= slice1winner1_best_late_cost_3_1 when (slice1winner1_best_late_cost_3_1 -
-        slice1winner1_best_but_first_3_0) < 0 else slice1winner1_best_but_first_3_0;
       slice1winner2_best_but_last_0_0 <= slice1winner1_best_late_cost_0_0;
       slice1winner2_best_but_last_1_0 <= slice1winner1_best_late_cost_1_0;
       slice1winner2_best_but_last_2_0 <= slice1winner1_best_late_cost_2_0;
       slice1winner2_best_but_last_3_0 <= slice1winner1_best_late_cost_3_0;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_held_0_2;
+        slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner1_held_0_1;
+        slice1winner2_best_above_0_0 <= 0;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      end if;
+      if slice1winner2_best_cost_1_0_is_less then
+        slice1winner2_best_cost_1_0 <= slice1winner1_held_1_2;
+        slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
+        slice1winner2_best_below_1_0 <= slice1winner1_held_1_1;
+        slice1winner2_best_above_1_0 <= 0;
+      else
+        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+        slice1winner2_best_index_1_0 <= as_number(slice1winner1_best_index_1_0);
+        slice1winner2_best_below_1_0 <= slice1winner1_best_below_1_0;
+        slice1winner2_best_above_1_0 <= slice1winner2_best_above_1_0_choice;
+      end if;
+      if slice1winner2_best_cost_2_0_is_less then
+        slice1winner2_best_cost_2_0 <= slice1winner1_held_2_2;
+        slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1;
+        slice1winner2_best_below_2_0 <= slice1winner1_held_2_1;
+        slice1winner2_best_above_2_0 <= 0;
+      else
+        slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_0;
+        slice1winner2_best_index_2_0 <= as_number(slice1winner1_best_index_2_0);
+        slice1winner2_best_below_2_0 <= slice1winner1_best_below_2_0;
+        slice1winner2_best_above_2_0 <= slice1winner2_best_above_2_0_choice;
+      end if;
+      if slice1winner2_best_cost_3_0_is_less then
+        slice1winner2_best_cost_3_0 <= slice1winner1_held_3_2;
+        slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1;
+        slice1winner2_best_below_3_0 <= slice1winner1_held_3_1;
+        slice1winner2_best_above_3_0 <= 0;
+      else
+        slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_0;
+        slice1winner2_best_index_3_0 <= as_number(slice1winner1_best_index_3_0);
+        slice1winner2_best_below_3_0 <= slice1winner1_best_below_3_0;
+        slice1winner2_best_above_3_0 <= slice1winner2_best_above_3_0_choice;
+      end if;
+      if (slice1winner2_best_second_0_0_choice - slice1winner2_best_second_0_0_choice_3) < 0 then
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice;
+      else
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_3;
+      end if;
+      if (slice1winner2_best_second_1_0_choice - slice1winner2_best_second_1_0_choice_3) < 0 then
+        slice1winner2_best_second_1_0 <= slice1winner2_best_second_1_0_choice;
+      else
+        slice1winner2_best_second_1_0 <= slice1winner2_best_second_1_0_choice_3;
+      end if;
+      if (slice1winner2_best_second_2_0_choice - slice1winner2_best_second_2_0_choice_3) < 0 then
+        slice1winner2_best_second_2_0 <= slice1winner2_best_second_2_0_choice;
+      else
+        slice1winner2_best_second_2_0 <= slice1winner2_best_second_2_0_choice_3;
+      end if;
+      if (slice1winner2_best_second_3_0_choice - slice1winner2_best_second_3_0_choice_3) < 0 then
+        slice1winner2_best_second_3_0 <= slice1winner2_best_second_3_0_choice;
+      else
+        slice1winner2_best_second_3_0 <= slice1winner2_best_second_3_0_choice_3;
+      end if;
+      if (slice1winner1_best_late_cost_0_1 - slice1winner1_best_but_first_0_0) < 0 then
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1;
+      else
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_but_first_0_0;
+      end if;
+      if (slice1winner1_best_late_cost_1_1 - slice1winner1_best_but_first_1_0) < 0 then
+        slice1winner2_best_but_first_1_0 <= slice1winner1_best_late_cost_1_1;
+      else
+        slice1winner2_best_but_first_1_0 <= slice1winner1_best_but_first_1_0;
+      end if;
+      if (slice1winner1_best_late_cost_2_1 - slice1winner1_best_but_first_2_0) < 0 then
+        slice1winner2_best_but_first_2_0 <= slice1winner1_best_late_cost_2_1;
+      else
+        slice1winner2_best_but_first_2_0 <= slice1winner1_best_but_first_2_0;
+      end if;
+      if (slice1winner1_best_late_cost_3_1 - slice1winner1_best_but_first_3_0) < 0 then
+        slice1winner2_best_but_first_3_0 <= slice1winner1_best_late_cost_3_1;
+      else
+        slice1winner2_best_but_first_3_0 <= slice1winner1_best_but_first_3_0;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0winner2_best_late_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
       slice1_best_cost_1_0_is_less := (slice0winner2_best_late_cost_1_0 - slice1winner2_best_cost_1_0) < 0;
@@ -2523,89 +3230,133 @@ begin
       slice1_best_index_2_0_sum := (slice1winner2_best_index_2_0 / 2) + 1;
       slice1_best_index_3_0_sum := (slice1winner2_best_index_3_0 / 2) + 1;
       slice1_best_below_0_0_is_equal := slice0_best_index_0_0 = 5;
-      slice1_best_below_0_0_choice := slice1winner1_best_late_cost_0_1 when slice1_best_below_0_0_is_equal else
-        slice0_best_below_0_0;
+      if slice1_best_below_0_0_is_equal then
+        slice1_best_below_0_0_choice := slice1winner1_best_late_cost_0_1;
+      else
+        slice1_best_below_0_0_choice := slice0_best_below_0_0;
+      end if;
       slice1_best_below_1_0_is_equal := slice0_best_index_1_0 = 5;
-      slice1_best_below_1_0_choice := slice1winner1_best_late_cost_1_1 when slice1_best_below_1_0_is_equal else
-        slice0_best_below_1_0;
+      if slice1_best_below_1_0_is_equal then
+        slice1_best_below_1_0_choice := slice1winner1_best_late_cost_1_1;
+      else
+        slice1_best_below_1_0_choice := slice0_best_below_1_0;
+      end if;
       slice1_best_below_2_0_is_equal := slice0_best_index_2_0 = 5;
-      slice1_best_below_2_0_choice := slice1winner1_best_late_cost_2_1 when slice1_best_below_2_0_is_equal else
-        slice0_best_below_2_0;
+      if slice1_best_below_2_0_is_equal then
+        slice1_best_below_2_0_choice := slice1winner1_best_late_cost_2_1;
+      else
+        slice1_best_below_2_0_choice := slice0_best_below_2_0;
+      end if;
       slice1_best_below_3_0_is_equal := slice0_best_index_3_0 = 5;
-      slice1_best_below_3_0_choice := slice1winner1_best_late_cost_3_1 when slice1_best_below_3_0_is_equal else
-        slice0_best_below_3_0;
+      if slice1_best_below_3_0_is_equal then
+        slice1_best_below_3_0_choice := slice1winner1_best_late_cost_3_1;
+      else
+        slice1_best_below_3_0_choice := slice0_best_below_3_0;
+      end if;
       slice1_best_above_0_0_is_equal := slice1_best_index_0_0_sum = 2;
-      slice1_best_above_0_0_choice := slice0_best_first_0_0 when slice1_best_above_0_0_is_equal and (not
-        ((slice1winner2_best_index_0_0 mod 2) = 1)) else slice1winner2_best_above_0_0;
+      if slice1_best_above_0_0_is_equal and (not ((slice1winner2_best_index_0_0 mod 2) = 1)) then
+        slice1_best_above_0_0_choice := slice0_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice1winner2_best_above_0_0;
+      end if;
       slice1_best_above_1_0_is_equal := slice1_best_index_1_0_sum = 2;
-      slice1_best_above_1_0_choice := slice0_best_first_1_0 when slice1_best_above_1_0_is_equal and (not
-        ((slice1winner2_best_index_1_0 mod 2) = 1)) else slice1winner2_best_above_1_0;
+      if slice1_best_above_1_0_is_equal and (not ((slice1winner2_best_index_1_0 mod 2) = 1)) then
+        slice1_best_above_1_0_choice := slice0_best_first_1_0;
+      else
+        slice1_best_above_1_0_choice := slice1winner2_best_above_1_0;
+      end if;
       slice1_best_above_2_0_is_equal := slice1_best_index_2_0_sum = 2;
-      slice1_best_above_2_0_choice := slice0_best_first_2_0 when slice1_best_above_2_0_is_equal and (not
-        ((slice1winner2_best_index_2_0 mod 2) = 1)) else slice1winner2_best_above_2_0;
+      if slice1_best_above_2_0_is_equal and (not ((slice1winner2_best_index_2_0 mod 2) = 1)) then
+        slice1_best_above_2_0_choice := slice0_best_first_2_0;
+      else
+        slice1_best_above_2_0_choice := slice1winner2_best_above_2_0;
+      end if;
       slice1_best_above_3_0_is_equal := slice1_best_index_3_0_sum = 2;
-      slice1_best_above_3_0_choice := slice0_best_first_3_0 when slice1_best_above_3_0_is_equal and (not
-        ((slice1winner2_best_index_3_0 mod 2) = 1)) else slice1winner2_best_above_3_0;
-      slice1_best_second_0_0_choice := slice0_best_second_0_0 when slice1_best_place_0_0 else slice0_best_late_cost_0_0;
-      slice1_best_second_0_0_choice_2 := slice0_best_but_first_0_0 when slice1_best_at_end_0_0 else
-        slice1_best_second_0_0_choice;
-      slice1_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0 when slice1_best_place_0_0 else
-        slice1winner2_best_second_0_0;
-      slice1_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0 when slice1_best_at_start_0_0 else
-        slice1_best_second_0_0_choice_3;
-      slice1_best_second_1_0_choice := slice0_best_second_1_0 when slice1_best_place_1_0 else slice0_best_late_cost_1_0;
-      slice1_best_second_1_0_choice_2 := slice0_best_but_first_1_0 when slice1_best_at_end_1_0 else
-        slice1_best_second_1_0_choice;
-      slice1_best_second_1_0_choice_3 := slice1winner2_best_late_cost_1_0 when slice1_best_place_1_0 else
-        slice1winner2_best_second_1_0;
-      slice1_best_second_1_0_choice_4 := slice1winner2_best_but_last_1_0 when slice1_best_at_start_1_0 else
-        slice1_best_second_1_0_choice_3;
-      slice1_best_second_2_0_choice := slice0_best_second_2_0 when slice1_best_place_2_0 else slice0_best_late_cost_2_0;
-      slice1_best_second_2_0_choice_2 := slice0_best_but_first_2_0 when slice1_best_at_end_2_0 else
-        slice1_best_second_2_0_choice;
-      slice1_best_second_2_0_choice_3 := slice1winner2_best_late_cost_2_0 when slice1_best_place_2_0 else
-        slice1winner2_best_second_2_0;
-      slice1_best_second_2_0_choice_4 := slice1winner2_best_but_last_2_0 when slice1_best_at_start_2_0 else
-        slice1_best_second_2_0_choice_3;
-      slice1_best_second_3_0_choice := slice0_best_second_3_0 when slice1_best_place_3_0 else slice0_best_late_cost_3_0;
-      slice1_best_second_3_0_choice_2 := slice0_best_but_first_3_0 when slice1_best_at_end_3_0 else
-        slice1_best_second_3_0_choice;
-      slice1_best_second_3_0_choice_3 := slice1winner2_best_late_cost_3_0 when slice1_best_place_3_0 else
-        slice1winner2_best_second_3_0;
-      slice1_best_second_3_0_choice_4 := slice1winner2_best_but_last_3_0 when slice1_best_at_start_3_0 else
-        slice1_best_second_3_0_choice_3;
-      slice1_best_cost_0_0 <= slice0winner2_best_late_cost_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0winner2_best_late_cost_1_0 when slice1_best_cost_1_0_is_less else
-        slice1winner2_best_cost_1_0;
-      slice1_best_cost_2_0 <= slice0winner2_best_late_cost_2_0 when slice1_best_cost_2_0_is_less else
-        slice1winner2_best_cost_2_0;
-      slice1_best_cost_3_0 <= slice0winner2_best_late_cost_3_0 when slice1_best_cost_3_0_is_less else
-        slice1winner2_best_cost_3_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else (slice1_best_index_0_0_sum
-        * 2) + (slice1winner2_best_index_0_0 mod 2);
-      slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else (slice1_best_index_1_0_sum
-        * 2) + (slice1winner2_best_index_1_0 mod 2);
-      slice1_best_index_2_0 <= slice0_best_index_2_0 when slice1_best_cost_2_0_is_less else (slice1_best_index_2_0_sum
-        * 2) + (slice1winner2_best_index_2_0 mod 2);
-      slice1_best_index_3_0 <= slice0_best_index_3_0 when slice1_best_cost_3_0_is_less else (slice1_best_index_3_0_sum
-        * 2) + (slice1winner2_best_index_3_0 mod 2);
-      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
-        slice1winner2_best_below_0_0;
-      slice1_best_below_1_0 <= slice1_best_below_1_0_choice when slice1_best_cost_1_0_is_less else
-        slice1winner2_best_below_1_0;
-      slice1_best_below_2_0 <= slice1_best_below_2_0_choice when slice1_best_cost_2_0_is_less else
-        slice1winner2_best_below_2_0;
-      slice1_best_below_3_0 <= slice1_best_below_3_0_choice when slice1_best_cost_3_0_is_less else
-        slice1winner2_best_below_3_0;
-      slice1_best_above_0_0 <= slice0_best_above_0_0 when slice1_best_cost_0_0_is_less else
-        slice1_best_above_0_0_choice;
-      slice1_best_above_1_0 <= slice0_best_above_1_0 when slice1_best_cost_1_0_is_less else
-        slice1_best_above_1_0_choice;
-      slice1_best_above_2_0 <= slice0_best_above_2_0 when slice1_best_cost_2_0_is_less else
-        slice1_best_above_2_0_choice;
-      slice1_best_above_3_0 <= slice0_best_above_3_0 when slice1_best_cost_3_0_is_less else
-        slice1_best_above_3_0_choice;
+      if slice1_best_above_3_0_is_equal and (not ((slice1winner2_best_index_3_0 mod 2) = 1)) then
+        slice1_best_above_3_0_choice := slice0_best_first_3_0;
+      else
+        slice1_best_above_3_0_choice := slice1winner2_best_above_3_0;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice := slice0_best_second_0_0;
+      else
+        slice1_best_second_0_0_choice := slice0_best_late_cost_0_0;
+      end if;
+      if slice1_best_at_end_0_0 then
+        slice1_best_second_0_0_choice_2 := slice0_best_but_first_0_0;
+      else
+        slice1_best_second_0_0_choice_2 := slice1_best_second_0_0_choice;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0;
+      else
+        slice1_best_second_0_0_choice_3 := slice1winner2_best_second_0_0;
+      end if;
+      if slice1_best_at_start_0_0 then
+        slice1_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0;
+      else
+        slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3;
+      end if;
+      if slice1_best_place_1_0 then
+        slice1_best_second_1_0_choice := slice0_best_second_1_0;
+      else
+        slice1_best_second_1_0_choice := slice0_best_late_cost_1_0;
+      end if;
+      if slice1_best_at_end_1_0 then
+        slice1_best_second_1_0_choice_2 := slice0_best_but_first_1_0;
+      else
+        slice1_best_second_1_0_choice_2 := slice1_best_second_1_0_choice;
+      end if;
+      if slice1_best_place_1_0 then
+        slice1_best_second_1_0_choice_3 := slice1winner2_best_late_cost_1_0;
+      else
+        slice1_best_second_1_0_choice_3 := slice1winner2_best_second_1_0;
+      end if;
+      if slice1_best_at_start_1_0 then
+        slice1_best_second_1_0_choice_4 := slice1winner2_best_but_last_1_0;
+      else
+        slice1_best_second_1_0_choice_4 := slice1_best_second_1_0_choice_3;
+      end if;
+      if slice1_best_place_2_0 then
+        slice1_best_second_2_0_choice := slice0_best_second_2_0;
+      else
+        slice1_best_second_2_0_choice := slice0_best_late_cost_2_0;
+      end if;
+      if slice1_best_at_end_2_0 then
+        slice1_best_second_2_0_choice_2 := slice0_best_but_first_2_0;
+      else
+        slice1_best_second_2_0_choice_2 := slice1_best_second_2_0_choice;
+      end if;
+      if slice1_best_place_2_0 then
+        slice1_best_second_2_0_choice_3 := slice1winner2_best_late_cost_2_0;
+      else
+        slice1_best_second_2_0_choice_3 := slice1winner2_best_second_2_0;
+      end if;
+      if slice1_best_at_start_2_0 then
+        slice1_best_second_2_0_choice_4 := slice1winner2_best_but_last_2_0;
+      else
+        slice1_best_second_2_0_choice_4 := slice1_best_second_2_0_choice_3;
+      end if;
+      if slice1_best_place_3_0 then
+        slice1_best_second_3_0_choice := slice0_best_second_3_0;
+      else
+        slice1_best_second_3_0_choice := slice0_best_late_cost_3_0;
+      end if;
+      if slice1_best_at_end_3_0 then
+        slice1_best_second_3_0_choice_2 := slice0_best_but_first_3_0;
+      else
+        slice1_best_second_3_0_choice_2 := slice1_best_second_3_0_choice;
+      end if;
+      if slice1_best_place_3_0 then
+        slice1_best_second_3_0_choice_3 := slice1winner2_best_late_cost_3_0;
+      else
+        slice1_best_second_3_0_choice_3 := slice1winner2_best_second_3_0;
+      end if;
+      if slice1_best_at_start_3_0 then
+        slice1_best_second_3_0_choice_4 := slice1winner2_best_but_last_3_0;
+      else
+        slice1_best_second_3_0_choice_4 := slice1_best_second_3_0_choice_3;
+      end if;
       slice1_best_first_0_0 <= slice1winner2_best_first_0_0;
       slice1_best_first_1_0 <= slice1winner2_best_first_1_0;
       slice1_best_first_2_0 <= slice1winner2_best_first_2_0;
@@ -2630,27 +3381,95 @@ begin
       slice1_best_late_cost_1_0 <= slice1_best_cost_1_0;
       slice1_best_late_cost_2_0 <= slice1_best_cost_2_0;
       slice1_best_late_cost_3_0 <= slice1_best_cost_3_0;
-      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
-        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
-      slice1_best_second_1_0 <= slice1_best_second_1_0_choice_2 when (slice1_best_second_1_0_choice_2 -
-        slice1_best_second_1_0_choice_4) < 0 else slice1_best_second_1_0_choice_4;
-      slice1_best_second_2_0 <= slice1_best_second_2_0_choice_2 when (slice1_best_second_2_0_choice_2 -
-        slice1_best_second_2_0_choice_4) < 0 else slice1_best_second_2_0_choice_4;
-      slice1_best_second_3_0 <= slice1_best_second_3_0_choice_2 when (slice1_best_second_3_0_choice_2 -
-        slice1_best_second_3_0_choice_4) < 0 else slice1_best_second_3_0_choice_4;
-      slice1_best_but_first_0_0 <= slice0_best_late_cost_0_0 when (slice0_best_late_cost_0_0 -
-        slice1winner2_best_but_first_0_0) < 0 else slice1winner2_best_but_first_0_0;
-      slice1_best_but_first_1_0 <= slice0_best_late_cost_1_0 when (slice0_best_late_cost_1_0 -
-        slice1winner2_best_but_first_1_0) < 0 else slice1winner2_best_but_first_1_0;
-      slice1_best_but_first_2_0 <= slice0_best_late_cost_2_0 when (slice0_best_late_cost_2_0 -
-        slice1winner2_best_but_first_2_0) < 0 else slice1winner2_best_but_first_2_0;
-      slice1_best_but_first_3_0 <= slice0_best_late_cost_3_0 when (slice0_best_late_cost_3_0 -
-        slice1winner2_best_but_first_3_0) < 0 else slice1winner2_best_but_first_3_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0winner2_best_late_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice0_best_above_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1_best_index_0_0 <= (slice1_best_index_0_0_sum * 2) + (slice1winner2_best_index_0_0 mod 2);
+        slice1_best_below_0_0 <= slice1winner2_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      end if;
+      if slice1_best_cost_1_0_is_less then
+        slice1_best_cost_1_0 <= slice0winner2_best_late_cost_1_0;
+        slice1_best_index_1_0 <= slice0_best_index_1_0;
+        slice1_best_below_1_0 <= slice1_best_below_1_0_choice;
+        slice1_best_above_1_0 <= slice0_best_above_1_0;
+      else
+        slice1_best_cost_1_0 <= slice1winner2_best_cost_1_0;
+        slice1_best_index_1_0 <= (slice1_best_index_1_0_sum * 2) + (slice1winner2_best_index_1_0 mod 2);
+        slice1_best_below_1_0 <= slice1winner2_best_below_1_0;
+        slice1_best_above_1_0 <= slice1_best_above_1_0_choice;
+      end if;
+      if slice1_best_cost_2_0_is_less then
+        slice1_best_cost_2_0 <= slice0winner2_best_late_cost_2_0;
+        slice1_best_index_2_0 <= slice0_best_index_2_0;
+        slice1_best_below_2_0 <= slice1_best_below_2_0_choice;
+        slice1_best_above_2_0 <= slice0_best_above_2_0;
+      else
+        slice1_best_cost_2_0 <= slice1winner2_best_cost_2_0;
+        slice1_best_index_2_0 <= (slice1_best_index_2_0_sum * 2) + (slice1winner2_best_index_2_0 mod 2);
+        slice1_best_below_2_0 <= slice1winner2_best_below_2_0;
+        slice1_best_above_2_0 <= slice1_best_above_2_0_choice;
+      end if;
+      if slice1_best_cost_3_0_is_less then
+        slice1_best_cost_3_0 <= slice0winner2_best_late_cost_3_0;
+        slice1_best_index_3_0 <= slice0_best_index_3_0;
+        slice1_best_below_3_0 <= slice1_best_below_3_0_choice;
+        slice1_best_above_3_0 <= slice0_best_above_3_0;
+      else
+        slice1_best_cost_3_0 <= slice1winner2_best_cost_3_0;
+        slice1_best_index_3_0 <= (slice1_best_index_3_0_sum * 2) + (slice1winner2_best_index_3_0 mod 2);
+        slice1_best_below_3_0 <= slice1winner2_best_below_3_0;
+        slice1_best_above_3_0 <= slice1_best_above_3_0_choice;
+      end if;
+      if (slice1_best_second_0_0_choice_2 - slice1_best_second_0_0_choice_4) < 0 then
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2;
+      else
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_4;
+      end if;
+      if (slice1_best_second_1_0_choice_2 - slice1_best_second_1_0_choice_4) < 0 then
+        slice1_best_second_1_0 <= slice1_best_second_1_0_choice_2;
+      else
+        slice1_best_second_1_0 <= slice1_best_second_1_0_choice_4;
+      end if;
+      if (slice1_best_second_2_0_choice_2 - slice1_best_second_2_0_choice_4) < 0 then
+        slice1_best_second_2_0 <= slice1_best_second_2_0_choice_2;
+      else
+        slice1_best_second_2_0 <= slice1_best_second_2_0_choice_4;
+      end if;
+      if (slice1_best_second_3_0_choice_2 - slice1_best_second_3_0_choice_4) < 0 then
+        slice1_best_second_3_0 <= slice1_best_second_3_0_choice_2;
+      else
+        slice1_best_second_3_0 <= slice1_best_second_3_0_choice_4;
+      end if;
+      if (slice0_best_late_cost_0_0 - slice1winner2_best_but_first_0_0) < 0 then
+        slice1_best_but_first_0_0 <= slice0_best_late_cost_0_0;
+      else
+        slice1_best_but_first_0_0 <= slice1winner2_best_but_first_0_0;
+      end if;
+      if (slice0_best_late_cost_1_0 - slice1winner2_best_but_first_1_0) < 0 then
+        slice1_best_but_first_1_0 <= slice0_best_late_cost_1_0;
+      else
+        slice1_best_but_first_1_0 <= slice1winner2_best_but_first_1_0;
+      end if;
+      if (slice0_best_late_cost_2_0 - slice1winner2_best_but_first_2_0) < 0 then
+        slice1_best_but_first_2_0 <= slice0_best_late_cost_2_0;
+      else
+        slice1_best_but_first_2_0 <= slice1winner2_best_but_first_2_0;
+      end if;
+      if (slice0_best_late_cost_3_0 - slice1winner2_best_but_first_3_0) < 0 then
+        slice1_best_but_first_3_0 <= slice0_best_late_cost_3_0;
+      else
+        slice1_best_but_first_3_0 <= slice1winner2_best_but_first_3_0;
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -2753,24 +3572,35 @@ begin
       slice2cost_single_3_1 <= (slice2cost_pair_1_1_choice + as_number(slice2cost_pair_1_1_is_less)) mod 256;
       slice2cost_single_5_0 <= (slice2cost_single_5_0_choice + as_number(slice2cost_single_5_0_is_less)) mod 256;
       slice2cost_single_5_1 <= (slice2cost_single_5_1_choice + as_number(slice2cost_single_5_1_is_less)) mod 256;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_0_0) mod 256;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_0_1) mod 256;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_3_0) mod 256;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_3_1) mod 256;
-      slice2cost_column_2_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_1_0) +
-        slice2cost_pair_1_0 + slice2cost_single_2_0) mod 256;
-      slice2cost_column_2_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_1_1) +
-        slice2cost_pair_1_1 + slice2cost_single_2_1) mod 256;
-      slice2cost_column_3_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_1_0) +
-        slice2cost_pair_1_0 + slice2cost_single_5_0) mod 256;
-      slice2cost_column_3_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_1_1) +
-        slice2cost_pair_1_1 + slice2cost_single_5_1) mod 256;
       slice2cost_tag_first_cost <= slice1cost_tag_first_cost;
       slice2cost_tag_output_column <= slice1cost_tag_output_column;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+        slice2cost_column_1_0 <= 0;
+        slice2cost_column_1_1 <= 0;
+        slice2cost_column_2_0 <= 0;
+        slice2cost_column_2_1 <= 0;
+        slice2cost_column_3_0 <= 0;
+        slice2cost_column_3_1 <= 0;
+      else
+        slice2cost_column_0_0 <= (as_number(slice2cost_negative_0_0) + slice2cost_pair_0_0 + slice2cost_single_0_0) mod
+          256;
+        slice2cost_column_0_1 <= (as_number(slice2cost_negative_0_1) + slice2cost_pair_0_1 + slice2cost_single_0_1) mod
+          256;
+        slice2cost_column_1_0 <= (as_number(slice2cost_negative_0_0) + slice2cost_pair_0_0 + slice2cost_single_3_0) mod
+          256;
+        slice2cost_column_1_1 <= (as_number(slice2cost_negative_0_1) + slice2cost_pair_0_1 + slice2cost_single_3_1) mod
+          256;
+        slice2cost_column_2_0 <= (as_number(slice2cost_negative_1_0) + slice2cost_pair_1_0 + slice2cost_single_2_0) mod
+          256;
+        slice2cost_column_2_1 <= (as_number(slice2cost_negative_1_1) + slice2cost_pair_1_1 + slice2cost_single_2_1) mod
+          256;
+        slice2cost_column_3_0 <= (as_number(slice2cost_negative_1_0) + slice2cost_pair_1_0 + slice2cost_single_5_0) mod
+          256;
+        slice2cost_column_3_1 <= (as_number(slice2cost_negative_1_1) + slice2cost_pair_1_1 + slice2cost_single_5_1) mod
+          256;
+      end if;
       -- slice2window
       if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -2800,34 +3630,91 @@ begin
       slice2window_sum_3_1 <= slice2window_partial_3_1_1 + slice2cost_column_3_1;
       -- slice2other
       slice2other_cost_0_1_any := (not slice0winner2_tag_output_column) or (not slice0winner2_tag_first_column);
-      slice2other_cost_0_1_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_0 -
-        slice2window_sum_0_1) >= 0 else slice2other_cost_0_1_any;
-      slice2other_cost_1_1_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_1 -
-        slice2window_sum_1_1) >= 0 else slice2other_cost_0_1_any;
-      slice2other_cost_2_1_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_2 -
-        slice2window_sum_2_1) >= 0 else slice2other_cost_0_1_any;
-      slice2other_cost_3_1_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_3 -
-        slice2window_sum_3_1) >= 0 else slice2other_cost_0_1_any;
-      slice2other_winner_1_0_choice := not slice0winner2_tag_output_column when (slice2other_cost_1_1 -
-        slice2window_sum_1_0) >= 0 else slice2other_cost_0_1_any;
-      slice2other_winner_2_0_choice := not slice0winner2_tag_output_column when (slice2other_cost_2_1 -
-        slice2window_sum_2_0) >= 0 else slice2other_cost_0_1_any;
-      slice2other_winner_3_0_choice := not slice0winner2_tag_output_column when (slice2other_cost_3_1 -
-        slice2window_sum_3_0) >= 0 else slice2other_cost_0_1_any;
+      if (slice1other_cost_out_0 - slice2window_sum_0_1) >= 0 then
+        slice2other_cost_0_1_choice := not slice0winner2_tag_output_column;
+      else
+        slice2other_cost_0_1_choice := slice2other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_out_1 - slice2window_sum_1_1) >= 0 then
+        slice2other_cost_1_1_choice := not slice0winner2_tag_output_column;
+      else
+        slice2other_cost_1_1_choice := slice2other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_out_2 - slice2window_sum_2_1) >= 0 then
+        slice2other_cost_2_1_choice := not slice0winner2_tag_output_column;
+      else
+        slice2other_cost_2_1_choice := slice2other_cost_0_1_any;
+      end if;
+      if (slice1other_cost_out_3 - slice2window_sum_3_1) >= 0 then
+        slice2other_cost_3_1_choice := not slice0winner2_tag_output_column;
+      else
+        slice2other_cost_3_1_choice := slice2other_cost_0_1_any;
+      end if;
+      if (slice2other_cost_1_1 - slice2window_sum_1_0) >= 0 then
+        slice2other_winner_1_0_choice := not slice0winner2_tag_output_column;
+      else
+        slice2other_winner_1_0_choice := slice2other_cost_0_1_any;
+      end if;
+      if (slice2other_cost_2_1 - slice2window_sum_2_0) >= 0 then
+        slice2other_winner_2_0_choice := not slice0winner2_tag_output_column;
+      else
+        slice2other_winner_2_0_choice := slice2other_cost_0_1_any;
+      end if;
+      if (slice2other_cost_3_1 - slice2window_sum_3_0) >= 0 then
+        slice2other_winner_3_0_choice := not slice0winner2_tag_output_column;
+      else
+        slice2other_winner_3_0_choice := slice2other_cost_0_1_any;
+      end if;
       if slice0winner2_tag_valid then
-        slice2other_cost_0_1 <= slice1other_cost_out_0 when slice2other_cost_0_1_choice else slice2window_sum_0_1;
-        slice2other_cost_1_1 <= slice1other_cost_out_1 when slice2other_cost_1_1_choice else slice2window_sum_1_1;
-        slice2other_cost_2_1 <= slice1other_cost_out_2 when slice2other_cost_2_1_choice else slice2window_sum_2_1;
-        slice2other_cost_3_1 <= slice1other_cost_out_3 when slice2other_cost_3_1_choice else slice2window_sum_3_1;
-        slice2other_winner_0_0 <= slice2other_winner_0_1 when (not slice0winner2_tag_output_column) or ((not
-          slice0winner2_tag_first_column) and ((slice2other_cost_0_1 - slice2window_sum_0_0) < 0)) else 0;
-        slice2other_winner_0_1 <= slice1other_winner_out_0 when slice2other_cost_0_1_choice else 1;
-        slice2other_winner_1_0 <= slice2other_winner_1_1 when slice2other_winner_1_0_choice else 0;
-        slice2other_winner_1_1 <= slice1other_winner_out_1 when slice2other_cost_1_1_choice else 1;
-        slice2other_winner_2_0 <= slice2other_winner_2_1 when slice2other_winner_2_0_choice else 0;
-        slice2other_winner_2_1 <= slice1other_winner_out_2 when slice2other_cost_2_1_choice else 1;
-        slice2other_winner_3_0 <= slice2other_winner_3_1 when slice2other_winner_3_0_choice else 0;
-        slice2other_winner_3_1 <= slice1other_winner_out_3 when slice2other_cost_3_1_choice else 1;
+        if slice2other_cost_0_1_choice then
+          slice2other_cost_0_1 <= slice1other_cost_out_0;
+          slice2other_winner_0_1 <= slice1other_winner_out_0;
+        else
+          slice2other_cost_0_1 <= slice2window_sum_0_1;
+          slice2other_winner_0_1 <= 1;
+        end if;
+        if slice2other_cost_1_1_choice then
+          slice2other_cost_1_1 <= slice1other_cost_out_1;
+          slice2other_winner_1_1 <= slice1other_winner_out_1;
+        else
+          slice2other_cost_1_1 <= slice2window_sum_1_1;
+          slice2other_winner_1_1 <= 1;
+        end if;
+        if slice2other_cost_2_1_choice then
+          slice2other_cost_2_1 <= slice1other_cost_out_2;
+          slice2other_winner_2_1 <= slice1other_winner_out_2;
+        else
+          slice2other_cost_2_1 <= slice2window_sum_2_1;
+          slice2other_winner_2_1 <= 1;
+        end if;
+        if slice2other_cost_3_1_choice then
+          slice2other_cost_3_1 <= slice1other_cost_out_3;
+          slice2other_winner_3_1 <= slice1other_winner_out_3;
+        else
+          slice2other_cost_3_1 <= slice2window_sum_3_1;
+          slice2other_winner_3_1 <= 1;
+        end if;
+        if (not slice0winner2_tag_output_column) or ((not slice0winner2_tag_first_column) and ((slice2other_cost_0_1 -
+          slice2window_sum_0_0) < 0)) then
+          slice2other_winner_0_0 <= slice2other_winner_0_1;
+        else
+          slice2other_winner_0_0 <= 0;
+        end if;
+        if slice2other_winner_1_0_choice then
+          slice2other_winner_1_0 <= slice2other_winner_1_1;
+        else
+          slice2other_winner_1_0 <= 0;
+        end if;
+        if slice2other_winner_2_0_choice then
+          slice2other_winner_2_0 <= slice2other_winner_2_1;
+        else
+          slice2other_winner_2_0 <= 0;
+        end if;
+        if slice2other_winner_3_0_choice then
+          slice2other_winner_3_0 <= slice2other_winner_3_1;
+        else
+          slice2other_winner_3_0 <= 0;
+        end if;
       end if;
       slice2other_winner_out_0 <= slice2other_winner_0_0;
       slice2other_winner_out_1 <= slice2other_winner_1_0;
@@ -2846,26 +3733,10 @@ begin
       slice2winner1_held_2_1 <= slice2window_sum_2_1;
       slice2winner1_held_3_0 <= slice2window_sum_3_0;
       slice2winner1_held_3_1 <= slice2window_sum_3_1;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
-        slice2window_sum_1_0;
-      slice2winner1_best_cost_2_0 <= slice2window_sum_2_1 when slice2winner1_best_cost_2_0_is_less else
-        slice2window_sum_2_0;
-      slice2winner1_best_cost_3_0 <= slice2window_sum_3_1 when slice2winner1_best_cost_3_0_is_less else
-        slice2window_sum_3_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
       slice2winner1_best_index_2_0 <= slice2winner1_best_cost_2_0_is_less;
       slice2winner1_best_index_3_0 <= slice2winner1_best_cost_3_0_is_less;
-      slice2winner1_best_below_0_0 <= slice2window_sum_0_0 when slice2winner1_best_cost_0_0_is_less else 0;
-      slice2winner1_best_below_1_0 <= slice2window_sum_1_0 when slice2winner1_best_cost_1_0_is_less else 0;
-      slice2winner1_best_below_2_0 <= slice2window_sum_2_0 when slice2winner1_best_cost_2_0_is_less else 0;
-      slice2winner1_best_below_3_0 <= slice2window_sum_3_0 when slice2winner1_best_cost_3_0_is_less else 0;
-      slice2winner1_best_above_0_0 <= 0 when slice2winner1_best_cost_0_0_is_less else slice2window_sum_0_1;
-      slice2winner1_best_above_1_0 <= 0 when slice2winner1_best_cost_1_0_is_less else slice2window_sum_1_1;
-      slice2winner1_best_above_2_0 <= 0 when slice2winner1_best_cost_2_0_is_less else slice2window_sum_2_1;
-      slice2winner1_best_above_3_0 <= 0 when slice2winner1_best_cost_3_0_is_less else slice2window_sum_3_1;
       slice2winner1_best_late_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner1_best_late_cost_1_0 <= slice2winner1_best_cost_1_0;
       slice2winner1_best_late_cost_2_0 <= slice2winner1_best_cost_2_0;
@@ -2874,6 +3745,42 @@ begin
       slice2winner1_best_but_last_1_0 <= slice2winner1_held_1_0;
       slice2winner1_best_but_last_2_0 <= slice2winner1_held_2_0;
       slice2winner1_best_but_last_3_0 <= slice2winner1_held_3_0;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+        slice2winner1_best_below_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_above_0_0 <= 0;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_below_0_0 <= 0;
+        slice2winner1_best_above_0_0 <= slice2window_sum_0_1;
+      end if;
+      if slice2winner1_best_cost_1_0_is_less then
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_1;
+        slice2winner1_best_below_1_0 <= slice2window_sum_1_0;
+        slice2winner1_best_above_1_0 <= 0;
+      else
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_0;
+        slice2winner1_best_below_1_0 <= 0;
+        slice2winner1_best_above_1_0 <= slice2window_sum_1_1;
+      end if;
+      if slice2winner1_best_cost_2_0_is_less then
+        slice2winner1_best_cost_2_0 <= slice2window_sum_2_1;
+        slice2winner1_best_below_2_0 <= slice2window_sum_2_0;
+        slice2winner1_best_above_2_0 <= 0;
+      else
+        slice2winner1_best_cost_2_0 <= slice2window_sum_2_0;
+        slice2winner1_best_below_2_0 <= 0;
+        slice2winner1_best_above_2_0 <= slice2window_sum_2_1;
+      end if;
+      if slice2winner1_best_cost_3_0_is_less then
+        slice2winner1_best_cost_3_0 <= slice2window_sum_3_1;
+        slice2winner1_best_below_3_0 <= slice2window_sum_3_0;
+        slice2winner1_best_above_3_0 <= 0;
+      else
+        slice2winner1_best_cost_3_0 <= slice2window_sum_3_0;
+        slice2winner1_best_below_3_0 <= 0;
+        slice2winner1_best_above_3_0 <= slice2window_sum_3_1;
+      end if;
       -- slice2winner2
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
       slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
@@ -2905,81 +3812,129 @@ begin
       slice2_best_cost_2_0_is_less := (slice1_best_cost_2_0 - slice2winner1_best_late_cost_2_0) < 0;
       slice2_best_cost_3_0_is_less := (slice1_best_cost_3_0 - slice2winner1_best_late_cost_3_0) < 0;
       slice2_best_below_0_0_is_equal := slice1_best_index_0_0 = 2;
-      slice2_best_below_0_0_choice := slice2winner2_best_last_0_0 when slice2_best_below_0_0_is_equal else
-        slice1_best_below_0_0;
+      if slice2_best_below_0_0_is_equal then
+        slice2_best_below_0_0_choice := slice2winner2_best_last_0_0;
+      else
+        slice2_best_below_0_0_choice := slice1_best_below_0_0;
+      end if;
       slice2_best_below_1_0_is_equal := slice1_best_index_1_0 = 2;
-      slice2_best_below_1_0_choice := slice2winner2_best_last_1_0 when slice2_best_below_1_0_is_equal else
-        slice1_best_below_1_0;
+      if slice2_best_below_1_0_is_equal then
+        slice2_best_below_1_0_choice := slice2winner2_best_last_1_0;
+      else
+        slice2_best_below_1_0_choice := slice1_best_below_1_0;
+      end if;
       slice2_best_below_2_0_is_equal := slice1_best_index_2_0 = 2;
-      slice2_best_below_2_0_choice := slice2winner2_best_last_2_0 when slice2_best_below_2_0_is_equal else
-        slice1_best_below_2_0;
+      if slice2_best_below_2_0_is_equal then
+        slice2_best_below_2_0_choice := slice2winner2_best_last_2_0;
+      else
+        slice2_best_below_2_0_choice := slice1_best_below_2_0;
+      end if;
       slice2_best_below_3_0_is_equal := slice1_best_index_3_0 = 2;
-      slice2_best_below_3_0_choice := slice2winner2_best_last_3_0 when slice2_best_below_3_0_is_equal else
-        slice1_best_below_3_0;
-      slice2_best_above_0_0_choice := slice1_best_first_0_0 when slice2winner2_best_index_0_0 else
-        slice2winner2_best_above_0_0;
-      slice2_best_above_1_0_choice := slice1_best_first_1_0 when slice2winner2_best_index_1_0 else
-        slice2winner2_best_above_1_0;
-      slice2_best_above_2_0_choice := slice1_best_first_2_0 when slice2winner2_best_index_2_0 else
-        slice2winner2_best_above_2_0;
-      slice2_best_above_3_0_choice := slice1_best_first_3_0 when slice2winner2_best_index_3_0 else
-        slice2winner2_best_above_3_0;
-      slice2_best_second_0_0_choice := slice1_best_second_0_0 when slice2_best_place_0_0 else slice1_best_late_cost_0_0;
-      slice2_best_second_0_0_choice_2 := slice1_best_but_first_0_0 when slice2_best_at_end_0_0 else
-        slice2_best_second_0_0_choice;
-      slice2_best_second_0_0_choice_3 := slice2winner2_best_late_cost_0_0 when slice2_best_place_0_0 else 1023;
-      slice2_best_second_0_0_choice_4 := slice2winner2_best_but_last_0_0 when slice2_best_at_start_0_0 else
-        slice2_best_second_0_0_choice_3;
-      slice2_best_second_1_0_choice := slice1_best_second_1_0 when slice2_best_place_1_0 else slice1_best_late_cost_1_0;
-      slice2_best_second_1_0_choice_2 := slice1_best_but_first_1_0 when slice2_best_at_end_1_0 else
-        slice2_best_second_1_0_choice;
-      slice2_best_second_1_0_choice_3 := slice2winner2_best_late_cost_1_0 when slice2_best_place_1_0 else 1023;
-      slice2_best_second_1_0_choice_4 := slice2winner2_best_but_last_1_0 when slice2_best_at_start_1_0 else
-        slice2_best_second_1_0_choice_3;
-      slice2_best_second_2_0_choice := slice1_best_second_2_0 when slice2_best_place_2_0 else slice1_best_late_cost_2_0;
-      slice2_best_second_2_0_choice_2 := slice1_best_but_first_2_0 when slice2_best_at_end_2_0 else
-        slice2_best_second_2_0_choice;
-      slice2_best_second_2_0_choice_3 := slice2winner2_best_late_cost_2_0 when slice2_best_place_2_0 else 1023;
-      slice2_best_second_2_0_choice_4 := slice2winner2_best_but_last_2_0 when slice2_best_at_start_2_0 else
-        slice2_best_second_2_0_choice_3;
-      slice2_best_second_3_0_choice := slice1_best_second_3_0 when slice2_best_place_3_0 else slice1_best_late_cost_3_0;
-      slice2_best_second_3_0_choice_2 := slice1_best_but_first_3_0 when slice2_best_at_end_3_0 else
-        slice2_best_second_3_0_choice;
-      slice2_best_second_3_0_choice_3 := slice2winner2_best_late_cost_3_0 when slice2_best_place_3_0 else 1023;
-      slice2_best_second_3_0_choice_4 := slice2winner2_best_but_last_3_0 when slice2_best_at_start_3_0 else
-        slice2_best_second_3_0_choice_3;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner1_best_late_cost_0_0;
-      slice2_best_cost_1_0 <= slice1_best_cost_1_0 when slice2_best_cost_1_0_is_less else
-        slice2winner1_best_late_cost_1_0;
-      slice2_best_cost_2_0 <= slice1_best_cost_2_0 when slice2_best_cost_2_0_is_less else
-        slice2winner1_best_late_cost_2_0;
-      slice2_best_cost_3_0 <= slice1_best_cost_3_0 when slice2_best_cost_3_0_is_less else
-        slice2winner1_best_late_cost_3_0;
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        as_number(slice2winner2_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when slice2_best_cost_1_0_is_less else
-        as_number(slice2winner2_best_index_1_0);
-      slice2_best_index_2_0 <= slice1_best_index_2_0 when slice2_best_cost_2_0_is_less else
-        as_number(slice2winner2_best_index_2_0);
-      slice2_best_index_3_0 <= slice1_best_index_3_0 when slice2_best_cost_3_0_is_less else
-        as_number(slice2winner2_best_index_3_0);
-      slice2_best_below_0_0 <= slice2_best_below_0_0_choice when slice2_best_cost_0_0_is_less else
-        slice2winner2_best_below_0_0;
-      slice2_best_below_1_0 <= slice2_best_below_1_0_choice when slice2_best_cost_1_0_is_less else
-        slice2winner2_best_below_1_0;
-      slice2_best_below_2_0 <= slice2_best_below_2_0_choice when slice2_best_cost_2_0_is_less else
-        slice2winner2_best_below_2_0;
-      slice2_best_below_3_0 <= slice2_best_below_3_0_choice when slice2_best_cost_3_0_is_less else
-        slice2winner2_best_below_3_0;
-      slice2_best_above_0_0 <= slice1_best_above_0_0 when slice2_best_cost_0_0_is_less else
-        slice2_best_above_0_0_choice;
-      slice2_best_above_1_0 <= slice1_best_above_1_0 when slice2_best_cost_1_0_is_less else
-        slice2_best_above_1_0_choice;
-      slice2_best_above_2_0 <= slice1_best_above_2_0 when slice2_best_cost_2_0_is_less else
-        slice2_best_above_2_0_choice;
-      slice2_best_above_3_0 <= slice1_best_above_3_0 when slice2_best_cost_3_0_is_less else
-        slice2_best_above_3_0_choice;
+      if slice2_best_below_3_0_is_equal then
+        slice2_best_below_3_0_choice := slice2winner2_best_last_3_0;
+      else
+        slice2_best_below_3_0_choice := slice1_best_below_3_0;
+      end if;
+      if slice2winner2_best_index_0_0 then
+        slice2_best_above_0_0_choice := slice1_best_first_0_0;
+      else
+        slice2_best_above_0_0_choice := slice2winner2_best_above_0_0;
+      end if;
+      if slice2winner2_best_index_1_0 then
+        slice2_best_above_1_0_choice := slice1_best_first_1_0;
+      else
+        slice2_best_above_1_0_choice := slice2winner2_best_above_1_0;
+      end if;
+      if slice2winner2_best_index_2_0 then
+        slice2_best_above_2_0_choice := slice1_best_first_2_0;
+      else
+        slice2_best_above_2_0_choice := slice2winner2_best_above_2_0;
+      end if;
+      if slice2winner2_best_index_3_0 then
+        slice2_best_above_3_0_choice := slice1_best_first_3_0;
+      else
+        slice2_best_above_3_0_choice := slice2winner2_best_above_3_0;
+      end if;
+      if slice2_best_place_0_0 then
+        slice2_best_second_0_0_choice := slice1_best_second_0_0;
+      else
+        slice2_best_second_0_0_choice := slice1_best_late_cost_0_0;
+      end if;
+      if slice2_best_at_end_0_0 then
+        slice2_best_second_0_0_choice_2 := slice1_best_but_first_0_0;
+      else
+        slice2_best_second_0_0_choice_2 := slice2_best_second_0_0_choice;
+      end if;
+      if slice2_best_place_0_0 then
+        slice2_best_second_0_0_choice_3 := slice2winner2_best_late_cost_0_0;
+      else
+        slice2_best_second_0_0_choice_3 := 1023;
+      end if;
+      if slice2_best_at_start_0_0 then
+        slice2_best_second_0_0_choice_4 := slice2winner2_best_but_last_0_0;
+      else
+        slice2_best_second_0_0_choice_4 := slice2_best_second_0_0_choice_3;
+      end if;
+      if slice2_best_place_1_0 then
+        slice2_best_second_1_0_choice := slice1_best_second_1_0;
+      else
+        slice2_best_second_1_0_choice := slice1_best_late_cost_1_0;
+      end if;
+      if slice2_best_at_end_1_0 then
+        slice2_best_second_1_0_choice_2 := slice1_best_but_first_1_0;
+      else
+        slice2_best_second_1_0_choice_2 := slice2_best_second_1_0_choice;
+      end if;
+      if slice2_best_place_1_0 then
+        slice2_best_second_1_0_choice_3 := slice2winner2_best_late_cost_1_0;
+      else
+        slice2_best_second_1_0_choice_3 := 1023;
+      end if;
+      if slice2_best_at_start_1_0 then
+        slice2_best_second_1_0_choice_4 := slice2winner2_best_but_last_1_0;
+      else
+        slice2_best_second_1_0_choice_4 := slice2_best_second_1_0_choice_3;
+      end if;
+      if slice2_best_place_2_0 then
+        slice2_best_second_2_0_choice := slice1_best_second_2_0;
+      else
+        slice2_best_second_2_0_choice := slice1_best_late_cost_2_0;
+      end if;
+      if slice2_best_at_end_2_0 then
+        slice2_best_second_2_0_choice_2 := slice1_best_but_first_2_0;
+      else
+        slice2_best_second_2_0_choice_2 := slice2_best_second_2_0_choice;
+      end if;
+      if slice2_best_place_2_0 then
+        slice2_best_second_2_0_choice_3 := slice2winner2_best_late_cost_2_0;
+      else
+        slice2_best_second_2_0_choice_3 := 1023;
+      end if;
+      if slice2_best_at_start_2_0 then
+        slice2_best_second_2_0_choice_4 := slice2winner2_best_but_last_2_0;
+      else
+        slice2_best_second_2_0_choice_4 := slice2_best_second_2_0_choice_3;
+      end if;
+      if slice2_best_place_3_0 then
+        slice2_best_second_3_0_choice := slice1_best_second_3_0;
+      else
+        slice2_best_second_3_0_choice := slice1_best_late_cost_3_0;
+      end if;
+      if slice2_best_at_end_3_0 then
+        slice2_best_second_3_0_choice_2 := slice1_best_but_first_3_0;
+      else
+        slice2_best_second_3_0_choice_2 := slice2_best_second_3_0_choice;
+      end if;
+      if slice2_best_place_3_0 then
+        slice2_best_second_3_0_choice_3 := slice2winner2_best_late_cost_3_0;
+      else
+        slice2_best_second_3_0_choice_3 := 1023;
+      end if;
+      if slice2_best_at_start_3_0 then
+        slice2_best_second_3_0_choice_4 := slice2winner2_best_but_last_3_0;
+      else
+        slice2_best_second_3_0_choice_4 := slice2_best_second_3_0_choice_3;
+      end if;
       slice2_best_place_0_0 <= slice2_best_cost_0_0_is_less;
       slice2_best_place_1_0 <= slice2_best_cost_1_0_is_less;
       slice2_best_place_2_0 <= slice2_best_cost_2_0_is_less;
@@ -3000,23 +3955,76 @@ begin
       slice2_best_late_cost_1_0 <= slice2_best_cost_1_0;
       slice2_best_late_cost_2_0 <= slice2_best_cost_2_0;
       slice2_best_late_cost_3_0 <= slice2_best_cost_3_0;
-      slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2 when (slice2_best_second_0_0_choice_2 -
-        slice2_best_second_0_0_choice_4) < 0 else slice2_best_second_0_0_choice_4;
-      slice2_best_second_1_0 <= slice2_best_second_1_0_choice_2 when (slice2_best_second_1_0_choice_2 -
-        slice2_best_second_1_0_choice_4) < 0 else slice2_best_second_1_0_choice_4;
-      slice2_best_second_2_0 <= slice2_best_second_2_0_choice_2 when (slice2_best_second_2_0_choice_2 -
-        slice2_best_second_2_0_choice_4) < 0 else slice2_best_second_2_0_choice_4;
-      slice2_best_second_3_0 <= slice2_best_second_3_0_choice_2 when (slice2_best_second_3_0_choice_2 -
-        slice2_best_second_3_0_choice_4) < 0 else slice2_best_second_3_0_choice_4;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_map_column <= slice1_best_tag_map_column;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if slice2_best_cost_0_0_is_less then
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+        slice2_best_below_0_0 <= slice2_best_below_0_0_choice;
+        slice2_best_above_0_0 <= slice1_best_above_0_0;
+      else
+        slice2_best_cost_0_0 <= slice2winner1_best_late_cost_0_0;
+        slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0);
+        slice2_best_below_0_0 <= slice2winner2_best_below_0_0;
+        slice2_best_above_0_0 <= slice2_best_above_0_0_choice;
+      end if;
+      if slice2_best_cost_1_0_is_less then
+        slice2_best_cost_1_0 <= slice1_best_cost_1_0;
+        slice2_best_index_1_0 <= slice1_best_index_1_0;
+        slice2_best_below_1_0 <= slice2_best_below_1_0_choice;
+        slice2_best_above_1_0 <= slice1_best_above_1_0;
+      else
+        slice2_best_cost_1_0 <= slice2winner1_best_late_cost_1_0;
+        slice2_best_index_1_0 <= as_number(slice2winner2_best_index_1_0);
+        slice2_best_below_1_0 <= slice2winner2_best_below_1_0;
+        slice2_best_above_1_0 <= slice2_best_above_1_0_choice;
+      end if;
+      if slice2_best_cost_2_0_is_less then
+        slice2_best_cost_2_0 <= slice1_best_cost_2_0;
+        slice2_best_index_2_0 <= slice1_best_index_2_0;
+        slice2_best_below_2_0 <= slice2_best_below_2_0_choice;
+        slice2_best_above_2_0 <= slice1_best_above_2_0;
+      else
+        slice2_best_cost_2_0 <= slice2winner1_best_late_cost_2_0;
+        slice2_best_index_2_0 <= as_number(slice2winner2_best_index_2_0);
+        slice2_best_below_2_0 <= slice2winner2_best_below_2_0;
+        slice2_best_above_2_0 <= slice2_best_above_2_0_choice;
+      end if;
+      if slice2_best_cost_3_0_is_less then
+        slice2_best_cost_3_0 <= slice1_best_cost_3_0;
+        slice2_best_index_3_0 <= slice1_best_index_3_0;
+        slice2_best_below_3_0 <= slice2_best_below_3_0_choice;
+        slice2_best_above_3_0 <= slice1_best_above_3_0;
+      else
+        slice2_best_cost_3_0 <= slice2winner1_best_late_cost_3_0;
+        slice2_best_index_3_0 <= as_number(slice2winner2_best_index_3_0);
+        slice2_best_below_3_0 <= slice2winner2_best_below_3_0;
+        slice2_best_above_3_0 <= slice2_best_above_3_0_choice;
+      end if;
+      if (slice2_best_second_0_0_choice_2 - slice2_best_second_0_0_choice_4) < 0 then
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2;
+      else
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_4;
+      end if;
+      if (slice2_best_second_1_0_choice_2 - slice2_best_second_1_0_choice_4) < 0 then
+        slice2_best_second_1_0 <= slice2_best_second_1_0_choice_2;
+      else
+        slice2_best_second_1_0 <= slice2_best_second_1_0_choice_4;
+      end if;
+      if (slice2_best_second_2_0_choice_2 - slice2_best_second_2_0_choice_4) < 0 then
+        slice2_best_second_2_0 <= slice2_best_second_2_0_choice_2;
+      else
+        slice2_best_second_2_0 <= slice2_best_second_2_0_choice_4;
+      end if;
+      if (slice2_best_second_3_0_choice_2 - slice2_best_second_3_0_choice_4) < 0 then
+        slice2_best_second_3_0 <= slice2_best_second_3_0_choice_2;
+      else
+        slice2_best_second_3_0 <= slice2_best_second_3_0_choice_4;
+      end if;
       -- texture
-      texture_taps_search_0_0 <= 31 when rows_inside_0 else 0;
-      texture_taps_search_1_0 <= 31 when rows_inside_1 else 0;
-      texture_taps_search_5_0 <= 31 when rows_inside_5 else 0;
       texture_passes_0_0 <= 29 < texturewindow_sum_0_0;
       texture_passes_0_1 <= 29 < texturewindow_sum_2_0;
       texture_passes_0_2 <= 29 < texturewindow_sum_1_0;
@@ -3037,6 +4045,21 @@ begin
       texture_passes_4_1 <= texture_passes_3_1;
       texture_passes_4_2 <= texture_passes_3_2;
       texture_passes_4_3 <= texture_passes_3_3;
+      if rows_inside_0 then
+        texture_taps_search_0_0 <= 31;
+      else
+        texture_taps_search_0_0 <= 0;
+      end if;
+      if rows_inside_1 then
+        texture_taps_search_1_0 <= 31;
+      else
+        texture_taps_search_1_0 <= 0;
+      end if;
+      if rows_inside_5 then
+        texture_taps_search_5_0 <= 31;
+      else
+        texture_taps_search_5_0 <= 0;
+      end if;
       -- texturecost
       texturecost_pair_0_0_is_less := texturecost_difference_2_0 < 0;
       if texturecost_pair_0_0_is_less then
@@ -3078,14 +4101,21 @@ begin
       texturecost_single_2_0 <= (texturecost_pair_0_0_choice + as_number(texturecost_pair_0_0_is_less)) mod 256;
       texturecost_single_3_0 <= (texturecost_pair_1_0_choice + as_number(texturecost_pair_1_0_is_less)) mod 256;
       texturecost_single_5_0 <= (texturecost_single_5_0_choice + as_number(texturecost_single_5_0_is_less)) mod 256;
-      texturecost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_0_0) +
-        texturecost_pair_0_0 + texturecost_single_0_0) mod 256;
-      texturecost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_0_0) +
-        texturecost_pair_0_0 + texturecost_single_3_0) mod 256;
-      texturecost_column_2_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_1_0) +
-        texturecost_pair_1_0 + texturecost_single_2_0) mod 256;
-      texturecost_column_3_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_1_0) +
-        texturecost_pair_1_0 + texturecost_single_5_0) mod 256;
+      if slice0cost_pair_tag_border_column then
+        texturecost_column_0_0 <= 0;
+        texturecost_column_1_0 <= 0;
+        texturecost_column_2_0 <= 0;
+        texturecost_column_3_0 <= 0;
+      else
+        texturecost_column_0_0 <= (as_number(texturecost_negative_0_0) + texturecost_pair_0_0 + texturecost_single_0_0)
+          mod 256;
+        texturecost_column_1_0 <= (as_number(texturecost_negative_0_0) + texturecost_pair_0_0 + texturecost_single_3_0)
+          mod 256;
+        texturecost_column_2_0 <= (as_number(texturecost_negative_1_0) + texturecost_pair_1_0 + texturecost_single_2_0)
+          mod 256;
+        texturecost_column_3_0 <= (as_number(texturecost_negative_1_0) + texturecost_pair_1_0 + texturecost_single_5_0)
+          mod 256;
+      end if;
       -- texturewindow
       if slice0cost_tag_valid then
         texturewindow_partial_0_0_0 <= texturecost_column_0_0;
@@ -3131,13 +4161,29 @@ begin
       refinement_remainder_7_2_difference := ((refinement_remainder_6_2 * 2) + 2048) - refinement_divisor_6_2;
       refinement_remainder_7_3_difference := ((refinement_remainder_6_3 * 2) + 2048) - refinement_divisor_6_3;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_divisor_0_1_is_less := (-1) < refinement_difference_1;
-      refinement_divisor_0_1_choice := refinement_v_1 when refinement_divisor_0_1_is_less else refinement_u_1;
+      if refinement_divisor_0_1_is_less then
+        refinement_divisor_0_1_choice := refinement_v_1;
+      else
+        refinement_divisor_0_1_choice := refinement_u_1;
+      end if;
       refinement_divisor_0_2_is_less := (-1) < refinement_difference_2;
-      refinement_divisor_0_2_choice := refinement_v_2 when refinement_divisor_0_2_is_less else refinement_u_2;
+      if refinement_divisor_0_2_is_less then
+        refinement_divisor_0_2_choice := refinement_v_2;
+      else
+        refinement_divisor_0_2_choice := refinement_u_2;
+      end if;
       refinement_divisor_0_3_is_less := (-1) < refinement_difference_3;
-      refinement_divisor_0_3_choice := refinement_v_3 when refinement_divisor_0_3_is_less else refinement_u_3;
+      if refinement_divisor_0_3_is_less then
+        refinement_divisor_0_3_choice := refinement_v_3;
+      else
+        refinement_divisor_0_3_choice := refinement_u_3;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -3246,14 +4292,6 @@ begin
       refinement_passed_2_1 <= refinement_passed_1_1;
       refinement_passed_2_2 <= refinement_passed_1_2;
       refinement_passed_2_3 <= refinement_passed_1_3;
-      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_3 else refinement_passed_2_0 and
-        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
-      refinement_passed_3_1 <= refinement_passed_2_2 when refinement_alone_1_2 else refinement_passed_2_2 and
-        ((refinement_scaled_cost_1 - refinement_scaled_gap_1) < 0);
-      refinement_passed_3_2 <= refinement_passed_2_1 when refinement_alone_1_1 else refinement_passed_2_1 and
-        ((refinement_scaled_cost_2 - refinement_scaled_gap_2) < 0);
-      refinement_passed_3_3 <= refinement_passed_2_3 when refinement_alone_1_0 else refinement_passed_2_3 and
-        ((refinement_scaled_cost_3 - refinement_scaled_gap_3) < 0);
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_4_1 <= refinement_passed_3_1;
       refinement_passed_4_2 <= refinement_passed_3_2;
@@ -3370,14 +4408,6 @@ begin
       refinement_scaled_cost_1 <= refinement_lowest_1;
       refinement_scaled_cost_2 <= refinement_lowest_2;
       refinement_scaled_cost_3 <= refinement_lowest_3;
-      refinement_below_0 <= slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else slice2_best_below_0_0;
-      refinement_below_1 <= slice2_best_above_1_0 when slice2_best_index_1_0 = 0 else slice2_best_below_1_0;
-      refinement_below_2 <= slice2_best_above_2_0 when slice2_best_index_2_0 = 0 else slice2_best_below_2_0;
-      refinement_below_3 <= slice2_best_above_3_0 when slice2_best_index_3_0 = 0 else slice2_best_below_3_0;
-      refinement_above_0 <= slice2_best_below_0_0 when slice2_best_index_0_0 = 7 else slice2_best_above_0_0;
-      refinement_above_1 <= slice2_best_below_1_0 when slice2_best_index_1_0 = 7 else slice2_best_above_1_0;
-      refinement_above_2 <= slice2_best_below_2_0 when slice2_best_index_2_0 = 7 else slice2_best_above_2_0;
-      refinement_above_3 <= slice2_best_below_3_0 when slice2_best_index_3_0 = 7 else slice2_best_above_3_0;
       refinement_u_0 <= (refinement_below_0 - slice2_best_late_cost_0_0) mod 1024;
       refinement_u_1 <= (refinement_below_1 - slice2_best_late_cost_1_0) mod 1024;
       refinement_u_2 <= (refinement_below_2 - slice2_best_late_cost_2_0) mod 1024;
@@ -3394,62 +4424,6 @@ begin
       refinement_remainder_0_1 <= magnitude(refinement_difference_1);
       refinement_remainder_0_2 <= magnitude(refinement_difference_2);
       refinement_remainder_0_3 <= magnitude(refinement_difference_3);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 1024 when
-        (refinement_remainder_1_0_difference / 2048) = 1 else refinement_remainder_0_0;
-      refinement_remainder_1_1 <= refinement_remainder_1_1_difference mod 1024 when
-        (refinement_remainder_1_1_difference / 2048) = 1 else refinement_remainder_0_1;
-      refinement_remainder_1_2 <= refinement_remainder_1_2_difference mod 1024 when
-        (refinement_remainder_1_2_difference / 2048) = 1 else refinement_remainder_0_2;
-      refinement_remainder_1_3 <= refinement_remainder_1_3_difference mod 1024 when
-        (refinement_remainder_1_3_difference / 2048) = 1 else refinement_remainder_0_3;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 1024 when
-        (refinement_remainder_2_0_difference / 2048) = 1 else (refinement_remainder_1_0 mod 512) * 2;
-      refinement_remainder_2_1 <= refinement_remainder_2_1_difference mod 1024 when
-        (refinement_remainder_2_1_difference / 2048) = 1 else (refinement_remainder_1_1 mod 512) * 2;
-      refinement_remainder_2_2 <= refinement_remainder_2_2_difference mod 1024 when
-        (refinement_remainder_2_2_difference / 2048) = 1 else (refinement_remainder_1_2 mod 512) * 2;
-      refinement_remainder_2_3 <= refinement_remainder_2_3_difference mod 1024 when
-        (refinement_remainder_2_3_difference / 2048) = 1 else (refinement_remainder_1_3 mod 512) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 1024 when
-        (refinement_remainder_3_0_difference / 2048) = 1 else (refinement_remainder_2_0 mod 512) * 2;
-      refinement_remainder_3_1 <= refinement_remainder_3_1_difference mod 1024 when
-        (refinement_remainder_3_1_difference / 2048) = 1 else (refinement_remainder_2_1 mod 512) * 2;
-      refinement_remainder_3_2 <= refinement_remainder_3_2_difference mod 1024 when
-        (refinement_remainder_3_2_difference / 2048) = 1 else (refinement_remainder_2_2 mod 512) * 2;
-      refinement_remainder_3_3 <= refinement_remainder_3_3_difference mod 1024 when
-        (refinement_remainder_3_3_difference / 2048) = 1 else (refinement_remainder_2_3 mod 512) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 1024 when
-        (refinement_remainder_4_0_difference / 2048) = 1 else (refinement_remainder_3_0 mod 512) * 2;
-      refinement_remainder_4_1 <= refinement_remainder_4_1_difference mod 1024 when
-        (refinement_remainder_4_1_difference / 2048) = 1 else (refinement_remainder_3_1 mod 512) * 2;
-      refinement_remainder_4_2 <= refinement_remainder_4_2_difference mod 1024 when
-        (refinement_remainder_4_2_difference / 2048) = 1 else (refinement_remainder_3_2 mod 512) * 2;
-      refinement_remainder_4_3 <= refinement_remainder_4_3_difference mod 1024 when
-        (refinement_remainder_4_3_difference / 2048) = 1 else (refinement_remainder_3_3 mod 512) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 1024 when
-        (refinement_remainder_5_0_difference / 2048) = 1 else (refinement_remainder_4_0 mod 512) * 2;
-      refinement_remainder_5_1 <= refinement_remainder_5_1_difference mod 1024 when
-        (refinement_remainder_5_1_difference / 2048) = 1 else (refinement_remainder_4_1 mod 512) * 2;
-      refinement_remainder_5_2 <= refinement_remainder_5_2_difference mod 1024 when
-        (refinement_remainder_5_2_difference / 2048) = 1 else (refinement_remainder_4_2 mod 512) * 2;
-      refinement_remainder_5_3 <= refinement_remainder_5_3_difference mod 1024 when
-        (refinement_remainder_5_3_difference / 2048) = 1 else (refinement_remainder_4_3 mod 512) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 1024 when
-        (refinement_remainder_6_0_difference / 2048) = 1 else (refinement_remainder_5_0 mod 512) * 2;
-      refinement_remainder_6_1 <= refinement_remainder_6_1_difference mod 1024 when
-        (refinement_remainder_6_1_difference / 2048) = 1 else (refinement_remainder_5_1 mod 512) * 2;
-      refinement_remainder_6_2 <= refinement_remainder_6_2_difference mod 1024 when
-        (refinement_remainder_6_2_difference / 2048) = 1 else (refinement_remainder_5_2 mod 512) * 2;
-      refinement_remainder_6_3 <= refinement_remainder_6_3_difference mod 1024 when
-        (refinement_remainder_6_3_difference / 2048) = 1 else (refinement_remainder_5_3 mod 512) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 1024 when
-        (refinement_remainder_7_0_difference / 2048) = 1 else (refinement_remainder_6_0 mod 512) * 2;
-      refinement_remainder_7_1 <= refinement_remainder_7_1_difference mod 1024 when
-        (refinement_remainder_7_1_difference / 2048) = 1 else (refinement_remainder_6_1 mod 512) * 2;
-      refinement_remainder_7_2 <= refinement_remainder_7_2_difference mod 1024 when
-        (refinement_remainder_7_2_difference / 2048) = 1 else (refinement_remainder_6_2 mod 512) * 2;
-      refinement_remainder_7_3 <= refinement_remainder_7_3_difference mod 1024 when
-        (refinement_remainder_7_3_difference / 2048) = 1 else (refinement_remainder_6_3 mod 512) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 10)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 10))));
       refinement_divisor_0_1 <= to_integer(((to_unsigned(refinement_divisor_0_1_choice, 10)) or
@@ -3534,6 +4508,206 @@ begin
       refinement_fraction_1 <= ((((refinement_fraction_1_choice / 8) + 1) mod 32) * 8) + refinement_fraction_1_choice_2;
       refinement_fraction_2 <= ((((refinement_fraction_2_choice / 8) + 1) mod 32) * 8) + refinement_fraction_2_choice_2;
       refinement_fraction_3 <= ((((refinement_fraction_3_choice / 8) + 1) mod 4) * 8) + refinement_fraction_3_choice_2;
+      if refinement_alone_1_3 then
+        refinement_passed_3_0 <= refinement_passed_2_0;
+      else
+        refinement_passed_3_0 <= refinement_passed_2_0 and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      end if;
+      if refinement_alone_1_2 then
+        refinement_passed_3_1 <= refinement_passed_2_2;
+      else
+        refinement_passed_3_1 <= refinement_passed_2_2 and ((refinement_scaled_cost_1 - refinement_scaled_gap_1) < 0);
+      end if;
+      if refinement_alone_1_1 then
+        refinement_passed_3_2 <= refinement_passed_2_1;
+      else
+        refinement_passed_3_2 <= refinement_passed_2_1 and ((refinement_scaled_cost_2 - refinement_scaled_gap_2) < 0);
+      end if;
+      if refinement_alone_1_0 then
+        refinement_passed_3_3 <= refinement_passed_2_3;
+      else
+        refinement_passed_3_3 <= refinement_passed_2_3 and ((refinement_scaled_cost_3 - refinement_scaled_gap_3) < 0);
+      end if;
+      if slice2_best_index_0_0 = 0 then
+        refinement_below_0 <= slice2_best_above_0_0;
+      else
+        refinement_below_0 <= slice2_best_below_0_0;
+      end if;
+      if slice2_best_index_1_0 = 0 then
+        refinement_below_1 <= slice2_best_above_1_0;
+      else
+        refinement_below_1 <= slice2_best_below_1_0;
+      end if;
+      if slice2_best_index_2_0 = 0 then
+        refinement_below_2 <= slice2_best_above_2_0;
+      else
+        refinement_below_2 <= slice2_best_below_2_0;
+      end if;
+      if slice2_best_index_3_0 = 0 then
+        refinement_below_3 <= slice2_best_above_3_0;
+      else
+        refinement_below_3 <= slice2_best_below_3_0;
+      end if;
+      if slice2_best_index_0_0 = 7 then
+        refinement_above_0 <= slice2_best_below_0_0;
+      else
+        refinement_above_0 <= slice2_best_above_0_0;
+      end if;
+      if slice2_best_index_1_0 = 7 then
+        refinement_above_1 <= slice2_best_below_1_0;
+      else
+        refinement_above_1 <= slice2_best_above_1_0;
+      end if;
+      if slice2_best_index_2_0 = 7 then
+        refinement_above_2 <= slice2_best_below_2_0;
+      else
+        refinement_above_2 <= slice2_best_above_2_0;
+      end if;
+      if slice2_best_index_3_0 = 7 then
+        refinement_above_3 <= slice2_best_below_3_0;
+      else
+        refinement_above_3 <= slice2_best_above_3_0;
+      end if;
+      if (refinement_remainder_1_0_difference / 2048) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 1024;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_1_1_difference / 2048) = 1 then
+        refinement_remainder_1_1 <= refinement_remainder_1_1_difference mod 1024;
+      else
+        refinement_remainder_1_1 <= refinement_remainder_0_1;
+      end if;
+      if (refinement_remainder_1_2_difference / 2048) = 1 then
+        refinement_remainder_1_2 <= refinement_remainder_1_2_difference mod 1024;
+      else
+        refinement_remainder_1_2 <= refinement_remainder_0_2;
+      end if;
+      if (refinement_remainder_1_3_difference / 2048) = 1 then
+        refinement_remainder_1_3 <= refinement_remainder_1_3_difference mod 1024;
+      else
+        refinement_remainder_1_3 <= refinement_remainder_0_3;
+      end if;
+      if (refinement_remainder_2_0_difference / 2048) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 1024;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_2_1_difference / 2048) = 1 then
+        refinement_remainder_2_1 <= refinement_remainder_2_1_difference mod 1024;
+      else
+        refinement_remainder_2_1 <= (refinement_remainder_1_1 mod 512) * 2;
+      end if;
+      if (refinement_remainder_2_2_difference / 2048) = 1 then
+        refinement_remainder_2_2 <= refinement_remainder_2_2_difference mod 1024;
+      else
+        refinement_remainder_2_2 <= (refinement_remainder_1_2 mod 512) * 2;
+      end if;
+      if (refinement_remainder_2_3_difference / 2048) = 1 then
+        refinement_remainder_2_3 <= refinement_remainder_2_3_difference mod 1024;
+      else
+        refinement_remainder_2_3 <= (refinement_remainder_1_3 mod 512) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 2048) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 1024;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_3_1_difference / 2048) = 1 then
+        refinement_remainder_3_1 <= refinement_remainder_3_1_difference mod 1024;
+      else
+        refinement_remainder_3_1 <= (refinement_remainder_2_1 mod 512) * 2;
+      end if;
+      if (refinement_remainder_3_2_difference / 2048) = 1 then
+        refinement_remainder_3_2 <= refinement_remainder_3_2_difference mod 1024;
+      else
+        refinement_remainder_3_2 <= (refinement_remainder_2_2 mod 512) * 2;
+      end if;
+      if (refinement_remainder_3_3_difference / 2048) = 1 then
+        refinement_remainder_3_3 <= refinement_remainder_3_3_difference mod 1024;
+      else
+        refinement_remainder_3_3 <= (refinement_remainder_2_3 mod 512) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 2048) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 1024;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_4_1_difference / 2048) = 1 then
+        refinement_remainder_4_1 <= refinement_remainder_4_1_difference mod 1024;
+      else
+        refinement_remainder_4_1 <= (refinement_remainder_3_1 mod 512) * 2;
+      end if;
+      if (refinement_remainder_4_2_difference / 2048) = 1 then
+        refinement_remainder_4_2 <= refinement_remainder_4_2_difference mod 1024;
+      else
+        refinement_remainder_4_2 <= (refinement_remainder_3_2 mod 512) * 2;
+      end if;
+      if (refinement_remainder_4_3_difference / 2048) = 1 then
+        refinement_remainder_4_3 <= refinement_remainder_4_3_difference mod 1024;
+      else
+        refinement_remainder_4_3 <= (refinement_remainder_3_3 mod 512) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 2048) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 1024;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_5_1_difference / 2048) = 1 then
+        refinement_remainder_5_1 <= refinement_remainder_5_1_difference mod 1024;
+      else
+        refinement_remainder_5_1 <= (refinement_remainder_4_1 mod 512) * 2;
+      end if;
+      if (refinement_remainder_5_2_difference / 2048) = 1 then
+        refinement_remainder_5_2 <= refinement_remainder_5_2_difference mod 1024;
+      else
+        refinement_remainder_5_2 <= (refinement_remainder_4_2 mod 512) * 2;
+      end if;
+      if (refinement_remainder_5_3_difference / 2048) = 1 then
+        refinement_remainder_5_3 <= refinement_remainder_5_3_difference mod 1024;
+      else
+        refinement_remainder_5_3 <= (refinement_remainder_4_3 mod 512) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 2048) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 1024;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_6_1_difference / 2048) = 1 then
+        refinement_remainder_6_1 <= refinement_remainder_6_1_difference mod 1024;
+      else
+        refinement_remainder_6_1 <= (refinement_remainder_5_1 mod 512) * 2;
+      end if;
+      if (refinement_remainder_6_2_difference / 2048) = 1 then
+        refinement_remainder_6_2 <= refinement_remainder_6_2_difference mod 1024;
+      else
+        refinement_remainder_6_2 <= (refinement_remainder_5_2 mod 512) * 2;
+      end if;
+      if (refinement_remainder_6_3_difference / 2048) = 1 then
+        refinement_remainder_6_3 <= refinement_remainder_6_3_difference mod 1024;
+      else
+        refinement_remainder_6_3 <= (refinement_remainder_5_3 mod 512) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 2048) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 1024;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_7_1_difference / 2048) = 1 then
+        refinement_remainder_7_1 <= refinement_remainder_7_1_difference mod 1024;
+      else
+        refinement_remainder_7_1 <= (refinement_remainder_6_1 mod 512) * 2;
+      end if;
+      if (refinement_remainder_7_2_difference / 2048) = 1 then
+        refinement_remainder_7_2 <= refinement_remainder_7_2_difference mod 1024;
+      else
+        refinement_remainder_7_2 <= (refinement_remainder_6_2 mod 512) * 2;
+      end if;
+      if (refinement_remainder_7_3_difference / 2048) = 1 then
+        refinement_remainder_7_3 <= refinement_remainder_7_3_difference mod 1024;
+      else
+        refinement_remainder_7_3 <= (refinement_remainder_6_3 mod 512) * 2;
+      end if;
       -- leftright
       leftright_holds_winners_all := (not leftright_holds_winners) and (((leftright_ring_read_address / 4) = 1) or
         (((leftright_ring_read_address / 2) mod 2) = 1) or ((leftright_ring_read_address mod 2) = 1));
@@ -3595,8 +4769,6 @@ begin
       leftright_other_13_1 <= leftright_other_12_1;
       leftright_other_13_2 <= leftright_other_12_2;
       leftright_other_13_3 <= leftright_other_12_3;
-      leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners when
-        leftright_holds_winners_all else refinement_tag_11_valid or leftright_holds_winners;
       leftright_position <= (leftright_position + as_number(refinement_tag_11_valid)) mod 16;
       leftright_held_position <= leftright_position;
       leftright_held_valid <= (not leftright_holds_winners_all) and refinement_tag_11_valid;
@@ -3656,30 +4828,61 @@ begin
       leftright_checked_tag_map_column <= leftright_answered_tag_map_column;
       leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
       leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if leftright_holds_winners_all then
+        leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners;
+      else
+        leftright_holds_winners <= refinement_tag_11_valid or leftright_holds_winners;
+      end if;
       if refinement_tag_11_valid then
-        leftright_ring_read_address <= 0 when leftright_ring_read_address = 7 else (leftright_ring_read_address + 1)
-          mod 8;
         leftright_ring_write_address <= leftright_ring_read_address;
+        if leftright_ring_read_address = 7 then
+          leftright_ring_read_address <= 0;
+        else
+          leftright_ring_read_address <= (leftright_ring_read_address + 1) mod 8;
+        end if;
       end if;
       -- map
       map_counter_column_is_equal := map_counter_column = 23;
       map_counter_column_all := leftright_checked_tag_valid and leftright_checked_tag_map_column;
       if map_counter_column_all then
-        map_counter_column <= 0 when map_counter_column_is_equal or leftright_checked_tag_start_of_frame else
-          (map_counter_column + 1) mod 32;
+        if map_counter_column_is_equal or leftright_checked_tag_start_of_frame then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 32;
+        end if;
       end if;
-      map_counter_group_choice := 3 when map_counter_column_is_equal and (map_counter_group = 2) else 0;
+      if map_counter_column_is_equal and (map_counter_group = 2) then
+        map_counter_group_choice := 3;
+      else
+        map_counter_group_choice := 0;
+      end if;
       map_counter_group_is_equal := map_counter_group = 3;
-      map_counter_group_choice_2 := 1 when map_counter_next_frame and map_counter_group_is_equal else
-        (map_counter_group + 1) mod 8;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when (map_counter_group /= 4) and
-        map_counter_column_is_equal and leftright_checked_tag_valid and leftright_checked_tag_map_column else
-        map_counter_group;
-      map_counter_next_frame_choice := not ((map_counter_group mod 2) = 1) when leftright_checked_tag_start_of_frame
-        else map_counter_next_frame and (not ((map_counter_group mod 2) = 1));
-      map_counter_next_frame_choice_2 := map_counter_next_frame_choice when map_counter_column_is_equal and
-        ((map_counter_group / 2) = 1) else (not leftright_checked_tag_start_of_frame) and map_counter_next_frame;
-      map_line_ended_choice := leftright_checked_tag_map_column when leftright_checked_tag_valid else map_line_ended;
+      if map_counter_next_frame and map_counter_group_is_equal then
+        map_counter_group_choice_2 := 1;
+      else
+        map_counter_group_choice_2 := (map_counter_group + 1) mod 8;
+      end if;
+      if (map_counter_group /= 4) and map_counter_column_is_equal and leftright_checked_tag_valid and
+        leftright_checked_tag_map_column then
+        map_counter_group_choice_3 := map_counter_group_choice_2;
+      else
+        map_counter_group_choice_3 := map_counter_group;
+      end if;
+      if leftright_checked_tag_start_of_frame then
+        map_counter_next_frame_choice := not ((map_counter_group mod 2) = 1);
+      else
+        map_counter_next_frame_choice := map_counter_next_frame and (not ((map_counter_group mod 2) = 1));
+      end if;
+      if map_counter_column_is_equal and ((map_counter_group / 2) = 1) then
+        map_counter_next_frame_choice_2 := map_counter_next_frame_choice;
+      else
+        map_counter_next_frame_choice_2 := (not leftright_checked_tag_start_of_frame) and map_counter_next_frame;
+      end if;
+      if leftright_checked_tag_valid then
+        map_line_ended_choice := leftright_checked_tag_map_column;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_0(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
@@ -3691,20 +4894,76 @@ begin
       else
         map_of_column_3_c_choice := map_column_5 / 2;
       end if;
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
-      map_sorted_low_1_choice := map_of_column_1_c when map_of_column_1_c_below_b else map_of_column_0_c;
-      map_sorted_low_1_choice_2 := map_of_column_1_c when map_of_column_1_c_below_a else map_of_column_0_b;
-      map_sorted_low_2_choice := map_of_column_2_c when map_of_column_2_c_below_b else map_of_column_1_c;
-      map_sorted_low_2_choice_2 := map_of_column_2_c when map_of_column_2_c_below_a else map_of_column_0_c;
-      map_sorted_low_3_choice := map_of_column_3_c when map_of_column_3_c_below_b else map_of_column_2_c;
-      map_sorted_low_3_choice_2 := map_of_column_3_c when map_of_column_3_c_below_a else map_of_column_1_c;
-      map_sorted_middle_0_choice := map_of_column_0_b when map_of_column_0_c_below_b else map_sorted_low_0_choice_2;
-      map_sorted_middle_0_choice_2 := map_of_column_0_a when map_of_column_0_c_below_a else map_sorted_low_0_choice;
-      map_sorted_middle_1_choice := map_of_column_0_c when map_of_column_1_c_below_b else map_sorted_low_1_choice_2;
-      map_sorted_middle_1_choice_2 := map_of_column_0_b when map_of_column_1_c_below_a else map_sorted_low_1_choice;
-      map_sorted_middle_2_choice := map_of_column_1_c when map_of_column_2_c_below_b else map_sorted_low_2_choice_2;
-      map_sorted_middle_2_choice_2 := map_of_column_0_c when map_of_column_2_c_below_a else map_sorted_low_2_choice;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
+      if map_of_column_1_c_below_b then
+        map_sorted_low_1_choice := map_of_column_1_c;
+      else
+        map_sorted_low_1_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_1_c_below_a then
+        map_sorted_low_1_choice_2 := map_of_column_1_c;
+      else
+        map_sorted_low_1_choice_2 := map_of_column_0_b;
+      end if;
+      if map_of_column_2_c_below_b then
+        map_sorted_low_2_choice := map_of_column_2_c;
+      else
+        map_sorted_low_2_choice := map_of_column_1_c;
+      end if;
+      if map_of_column_2_c_below_a then
+        map_sorted_low_2_choice_2 := map_of_column_2_c;
+      else
+        map_sorted_low_2_choice_2 := map_of_column_0_c;
+      end if;
+      if map_of_column_3_c_below_b then
+        map_sorted_low_3_choice := map_of_column_3_c;
+      else
+        map_sorted_low_3_choice := map_of_column_2_c;
+      end if;
+      if map_of_column_3_c_below_a then
+        map_sorted_low_3_choice_2 := map_of_column_3_c;
+      else
+        map_sorted_low_3_choice_2 := map_of_column_1_c;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_middle_0_choice := map_of_column_0_b;
+      else
+        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_middle_0_choice_2 := map_of_column_0_a;
+      else
+        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
+      end if;
+      if map_of_column_1_c_below_b then
+        map_sorted_middle_1_choice := map_of_column_0_c;
+      else
+        map_sorted_middle_1_choice := map_sorted_low_1_choice_2;
+      end if;
+      if map_of_column_1_c_below_a then
+        map_sorted_middle_1_choice_2 := map_of_column_0_b;
+      else
+        map_sorted_middle_1_choice_2 := map_sorted_low_1_choice;
+      end if;
+      if map_of_column_2_c_below_b then
+        map_sorted_middle_2_choice := map_of_column_1_c;
+      else
+        map_sorted_middle_2_choice := map_sorted_low_2_choice_2;
+      end if;
+      if map_of_column_2_c_below_a then
+        map_sorted_middle_2_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_middle_2_choice_2 := map_sorted_low_2_choice;
+      end if;
       if map_of_column_3_c_below_b then
         map_sorted_middle_3_choice := map_of_column_2_c;
       else
@@ -3715,12 +4974,36 @@ begin
       else
         map_sorted_middle_3_choice_2 := map_sorted_low_3_choice;
       end if;
-      map_sorted_high_0_choice := map_of_column_0_a when map_of_column_0_c_below_a else map_of_column_0_c;
-      map_sorted_high_0_choice_2 := map_of_column_0_b when map_of_column_0_c_below_b else map_of_column_0_c;
-      map_sorted_high_1_choice := map_of_column_0_b when map_of_column_1_c_below_a else map_of_column_1_c;
-      map_sorted_high_1_choice_2 := map_of_column_0_c when map_of_column_1_c_below_b else map_of_column_1_c;
-      map_sorted_high_2_choice := map_of_column_0_c when map_of_column_2_c_below_a else map_of_column_2_c;
-      map_sorted_high_2_choice_2 := map_of_column_1_c when map_of_column_2_c_below_b else map_of_column_2_c;
+      if map_of_column_0_c_below_a then
+        map_sorted_high_0_choice := map_of_column_0_a;
+      else
+        map_sorted_high_0_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_high_0_choice_2 := map_of_column_0_b;
+      else
+        map_sorted_high_0_choice_2 := map_of_column_0_c;
+      end if;
+      if map_of_column_1_c_below_a then
+        map_sorted_high_1_choice := map_of_column_0_b;
+      else
+        map_sorted_high_1_choice := map_of_column_1_c;
+      end if;
+      if map_of_column_1_c_below_b then
+        map_sorted_high_1_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_high_1_choice_2 := map_of_column_1_c;
+      end if;
+      if map_of_column_2_c_below_a then
+        map_sorted_high_2_choice := map_of_column_0_c;
+      else
+        map_sorted_high_2_choice := map_of_column_2_c;
+      end if;
+      if map_of_column_2_c_below_b then
+        map_sorted_high_2_choice_2 := map_of_column_1_c;
+      else
+        map_sorted_high_2_choice_2 := map_of_column_2_c;
+      end if;
       if map_of_column_3_c_below_a then
         map_sorted_high_3_choice := map_of_column_1_c;
       else
@@ -3734,62 +5017,246 @@ begin
       map_passed_1_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
       map_passed_1_0_any := map_sorted_arrives or map_sorted_behind;
       map_window_complete_all := map_sorted_arrives and (map_sorted_column = 0);
-      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_largest_low_1_choice := map_of_low_1_a when map_of_low_1_c_below_a else map_of_low_1_c;
-      map_largest_low_1_choice_2 := map_of_low_1_b when map_of_low_1_c_below_b else map_of_low_1_c;
-      map_largest_low_2_choice := map_of_low_2_a when map_of_low_2_c_below_a else map_of_low_2_c;
-      map_largest_low_2_choice_2 := map_of_low_2_b when map_of_low_2_c_below_b else map_of_low_2_c;
-      map_largest_low_3_choice := map_of_low_3_a when map_of_low_3_c_below_a else map_of_low_3_c;
-      map_largest_low_3_choice_2 := map_of_low_3_b when map_of_low_3_c_below_b else map_of_low_3_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
-        map_median_middle_0_choice_3;
-      map_median_middle_1_choice := map_of_middle_1_c when map_of_middle_1_c_below_a else map_of_middle_1_a;
-      map_median_middle_1_choice_2 := map_of_middle_1_b when map_of_middle_1_c_below_b else map_median_middle_1_choice;
-      map_median_middle_1_choice_3 := map_of_middle_1_c when map_of_middle_1_c_below_b else map_of_middle_1_b;
-      map_median_middle_1_choice_4 := map_of_middle_1_a when map_of_middle_1_c_below_a else
-        map_median_middle_1_choice_3;
-      map_median_middle_2_choice := map_of_middle_2_c when map_of_middle_2_c_below_a else map_of_middle_2_a;
-      map_median_middle_2_choice_2 := map_of_middle_2_b when map_of_middle_2_c_below_b else map_median_middle_2_choice;
-      map_median_middle_2_choice_3 := map_of_middle_2_c when map_of_middle_2_c_below_b else map_of_middle_2_b;
-      map_median_middle_2_choice_4 := map_of_middle_2_a when map_of_middle_2_c_below_a else
-        map_median_middle_2_choice_3;
-      map_median_middle_3_choice := map_of_middle_3_c when map_of_middle_3_c_below_a else map_of_middle_3_a;
-      map_median_middle_3_choice_2 := map_of_middle_3_b when map_of_middle_3_c_below_b else map_median_middle_3_choice;
-      map_median_middle_3_choice_3 := map_of_middle_3_c when map_of_middle_3_c_below_b else map_of_middle_3_b;
-      map_median_middle_3_choice_4 := map_of_middle_3_a when map_of_middle_3_c_below_a else
-        map_median_middle_3_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
-      map_smallest_high_1_choice := map_of_high_1_c when map_of_high_1_c_below_b else map_of_high_1_b;
-      map_smallest_high_1_choice_2 := map_of_high_1_c when map_of_high_1_c_below_a else map_of_high_1_a;
-      map_smallest_high_2_choice := map_of_high_2_c when map_of_high_2_c_below_b else map_of_high_2_b;
-      map_smallest_high_2_choice_2 := map_of_high_2_c when map_of_high_2_c_below_a else map_of_high_2_a;
-      map_smallest_high_3_choice := map_of_high_3_c when map_of_high_3_c_below_b else map_of_high_3_b;
-      map_smallest_high_3_choice_2 := map_of_high_3_c when map_of_high_3_c_below_a else map_of_high_3_a;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_out_disparity_1_choice := map_of_all_1_c when map_of_all_1_c_below_a else map_of_all_1_a;
-      map_out_disparity_1_choice_2 := map_of_all_1_b when map_of_all_1_c_below_b else map_out_disparity_1_choice;
-      map_out_disparity_1_choice_3 := map_of_all_1_c when map_of_all_1_c_below_b else map_of_all_1_b;
-      map_out_disparity_1_choice_4 := map_of_all_1_a when map_of_all_1_c_below_a else map_out_disparity_1_choice_3;
-      map_out_disparity_2_choice := map_of_all_2_c when map_of_all_2_c_below_a else map_of_all_2_a;
-      map_out_disparity_2_choice_2 := map_of_all_2_b when map_of_all_2_c_below_b else map_out_disparity_2_choice;
-      map_out_disparity_2_choice_3 := map_of_all_2_c when map_of_all_2_c_below_b else map_of_all_2_b;
-      map_out_disparity_2_choice_4 := map_of_all_2_a when map_of_all_2_c_below_a else map_out_disparity_2_choice_3;
-      map_out_disparity_3_choice := map_of_all_3_c when map_of_all_3_c_below_a else map_of_all_3_a;
-      map_out_disparity_3_choice_2 := map_of_all_3_b when map_of_all_3_c_below_b else map_out_disparity_3_choice;
-      map_out_disparity_3_choice_3 := map_of_all_3_c when map_of_all_3_c_below_b else map_of_all_3_b;
-      map_out_disparity_3_choice_4 := map_of_all_3_a when map_of_all_3_c_below_a else map_out_disparity_3_choice_3;
-      map_counter_group <= map_counter_group_choice when leftright_checked_tag_start_of_frame and
-        leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group_choice_3;
-      map_counter_next_frame <= map_counter_next_frame or map_counter_column_all when map_counter_next_frame_choice_2
-        else map_counter_next_frame and ((not leftright_checked_tag_valid) or (not leftright_checked_tag_map_column));
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice := map_of_low_0_a;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice_2 := map_of_low_0_b;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_low_1_c_below_a then
+        map_largest_low_1_choice := map_of_low_1_a;
+      else
+        map_largest_low_1_choice := map_of_low_1_c;
+      end if;
+      if map_of_low_1_c_below_b then
+        map_largest_low_1_choice_2 := map_of_low_1_b;
+      else
+        map_largest_low_1_choice_2 := map_of_low_1_c;
+      end if;
+      if map_of_low_2_c_below_a then
+        map_largest_low_2_choice := map_of_low_2_a;
+      else
+        map_largest_low_2_choice := map_of_low_2_c;
+      end if;
+      if map_of_low_2_c_below_b then
+        map_largest_low_2_choice_2 := map_of_low_2_b;
+      else
+        map_largest_low_2_choice_2 := map_of_low_2_c;
+      end if;
+      if map_of_low_3_c_below_a then
+        map_largest_low_3_choice := map_of_low_3_a;
+      else
+        map_largest_low_3_choice := map_of_low_3_c;
+      end if;
+      if map_of_low_3_c_below_b then
+        map_largest_low_3_choice_2 := map_of_low_3_b;
+      else
+        map_largest_low_3_choice_2 := map_of_low_3_c;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_2 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_4 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_middle_1_c_below_a then
+        map_median_middle_1_choice := map_of_middle_1_c;
+      else
+        map_median_middle_1_choice := map_of_middle_1_a;
+      end if;
+      if map_of_middle_1_c_below_b then
+        map_median_middle_1_choice_2 := map_of_middle_1_b;
+      else
+        map_median_middle_1_choice_2 := map_median_middle_1_choice;
+      end if;
+      if map_of_middle_1_c_below_b then
+        map_median_middle_1_choice_3 := map_of_middle_1_c;
+      else
+        map_median_middle_1_choice_3 := map_of_middle_1_b;
+      end if;
+      if map_of_middle_1_c_below_a then
+        map_median_middle_1_choice_4 := map_of_middle_1_a;
+      else
+        map_median_middle_1_choice_4 := map_median_middle_1_choice_3;
+      end if;
+      if map_of_middle_2_c_below_a then
+        map_median_middle_2_choice := map_of_middle_2_c;
+      else
+        map_median_middle_2_choice := map_of_middle_2_a;
+      end if;
+      if map_of_middle_2_c_below_b then
+        map_median_middle_2_choice_2 := map_of_middle_2_b;
+      else
+        map_median_middle_2_choice_2 := map_median_middle_2_choice;
+      end if;
+      if map_of_middle_2_c_below_b then
+        map_median_middle_2_choice_3 := map_of_middle_2_c;
+      else
+        map_median_middle_2_choice_3 := map_of_middle_2_b;
+      end if;
+      if map_of_middle_2_c_below_a then
+        map_median_middle_2_choice_4 := map_of_middle_2_a;
+      else
+        map_median_middle_2_choice_4 := map_median_middle_2_choice_3;
+      end if;
+      if map_of_middle_3_c_below_a then
+        map_median_middle_3_choice := map_of_middle_3_c;
+      else
+        map_median_middle_3_choice := map_of_middle_3_a;
+      end if;
+      if map_of_middle_3_c_below_b then
+        map_median_middle_3_choice_2 := map_of_middle_3_b;
+      else
+        map_median_middle_3_choice_2 := map_median_middle_3_choice;
+      end if;
+      if map_of_middle_3_c_below_b then
+        map_median_middle_3_choice_3 := map_of_middle_3_c;
+      else
+        map_median_middle_3_choice_3 := map_of_middle_3_b;
+      end if;
+      if map_of_middle_3_c_below_a then
+        map_median_middle_3_choice_4 := map_of_middle_3_a;
+      else
+        map_median_middle_3_choice_4 := map_median_middle_3_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
+      if map_of_high_1_c_below_b then
+        map_smallest_high_1_choice := map_of_high_1_c;
+      else
+        map_smallest_high_1_choice := map_of_high_1_b;
+      end if;
+      if map_of_high_1_c_below_a then
+        map_smallest_high_1_choice_2 := map_of_high_1_c;
+      else
+        map_smallest_high_1_choice_2 := map_of_high_1_a;
+      end if;
+      if map_of_high_2_c_below_b then
+        map_smallest_high_2_choice := map_of_high_2_c;
+      else
+        map_smallest_high_2_choice := map_of_high_2_b;
+      end if;
+      if map_of_high_2_c_below_a then
+        map_smallest_high_2_choice_2 := map_of_high_2_c;
+      else
+        map_smallest_high_2_choice_2 := map_of_high_2_a;
+      end if;
+      if map_of_high_3_c_below_b then
+        map_smallest_high_3_choice := map_of_high_3_c;
+      else
+        map_smallest_high_3_choice := map_of_high_3_b;
+      end if;
+      if map_of_high_3_c_below_a then
+        map_smallest_high_3_choice_2 := map_of_high_3_c;
+      else
+        map_smallest_high_3_choice_2 := map_of_high_3_a;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
+      if map_of_all_1_c_below_a then
+        map_out_disparity_1_choice := map_of_all_1_c;
+      else
+        map_out_disparity_1_choice := map_of_all_1_a;
+      end if;
+      if map_of_all_1_c_below_b then
+        map_out_disparity_1_choice_2 := map_of_all_1_b;
+      else
+        map_out_disparity_1_choice_2 := map_out_disparity_1_choice;
+      end if;
+      if map_of_all_1_c_below_b then
+        map_out_disparity_1_choice_3 := map_of_all_1_c;
+      else
+        map_out_disparity_1_choice_3 := map_of_all_1_b;
+      end if;
+      if map_of_all_1_c_below_a then
+        map_out_disparity_1_choice_4 := map_of_all_1_a;
+      else
+        map_out_disparity_1_choice_4 := map_out_disparity_1_choice_3;
+      end if;
+      if map_of_all_2_c_below_a then
+        map_out_disparity_2_choice := map_of_all_2_c;
+      else
+        map_out_disparity_2_choice := map_of_all_2_a;
+      end if;
+      if map_of_all_2_c_below_b then
+        map_out_disparity_2_choice_2 := map_of_all_2_b;
+      else
+        map_out_disparity_2_choice_2 := map_out_disparity_2_choice;
+      end if;
+      if map_of_all_2_c_below_b then
+        map_out_disparity_2_choice_3 := map_of_all_2_c;
+      else
+        map_out_disparity_2_choice_3 := map_of_all_2_b;
+      end if;
+      if map_of_all_2_c_below_a then
+        map_out_disparity_2_choice_4 := map_of_all_2_a;
+      else
+        map_out_disparity_2_choice_4 := map_out_disparity_2_choice_3;
+      end if;
+      if map_of_all_3_c_below_a then
+        map_out_disparity_3_choice := map_of_all_3_c;
+      else
+        map_out_disparity_3_choice := map_of_all_3_a;
+      end if;
+      if map_of_all_3_c_below_b then
+        map_out_disparity_3_choice_2 := map_of_all_3_b;
+      else
+        map_out_disparity_3_choice_2 := map_out_disparity_3_choice;
+      end if;
+      if map_of_all_3_c_below_b then
+        map_out_disparity_3_choice_3 := map_of_all_3_c;
+      else
+        map_out_disparity_3_choice_3 := map_of_all_3_b;
+      end if;
+      if map_of_all_3_c_below_a then
+        map_out_disparity_3_choice_4 := map_of_all_3_a;
+      else
+        map_out_disparity_3_choice_4 := map_out_disparity_3_choice_3;
+      end if;
       map_newest_0 <= ((((((((leftright_checked_disparity_0 + 2047) mod 2048) * 2) + (leftright_checked_fraction_0 / 8)
         + 1) mod 4096) * 8) + (leftright_checked_fraction_0 mod 8)) * 2) + as_number(leftright_checked_passed_0);
       map_newest_1 <= ((((((((leftright_checked_disparity_1 + 2047) mod 2048) * 2) + (leftright_checked_fraction_1 / 8)
@@ -3800,8 +5267,6 @@ begin
         + 1) mod 4096) * 8) + (leftright_checked_fraction_3 mod 8)) * 2) + as_number(leftright_checked_passed_3);
       map_arrives <= map_counter_column_all;
       map_behind <= map_line_ended and leftright_checked_tag_valid;
-      map_line_ended <= map_line_ended_choice when leftright_checked_tag_end_of_line else map_line_ended and (not
-        leftright_checked_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_read_newest_1 <= map_newest_1;
       map_rows_read_newest_2 <= map_newest_2;
@@ -3857,32 +5322,6 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_low_1 <= map_sorted_low_1_choice when map_of_column_0_c_below_b else map_sorted_low_1_choice_2;
-      map_sorted_low_2 <= map_sorted_low_2_choice when map_of_column_1_c_below_b else map_sorted_low_2_choice_2;
-      map_sorted_low_3 <= map_sorted_low_3_choice when map_of_column_2_c_below_b else map_sorted_low_3_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_middle_1 <= map_sorted_middle_1_choice when map_of_column_0_c_below_b else
-        map_sorted_middle_1_choice_2;
-      map_sorted_middle_2 <= map_sorted_middle_2_choice when map_of_column_1_c_below_b else
-        map_sorted_middle_2_choice_2;
-      map_sorted_middle_3 <= map_sorted_middle_3_choice when map_of_column_2_c_below_b else
-        map_sorted_middle_3_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_sorted_high_1 <= map_sorted_high_1_choice when map_of_column_0_c_below_b else map_sorted_high_1_choice_2;
-      map_sorted_high_2 <= map_sorted_high_2_choice when map_of_column_1_c_below_b else map_sorted_high_2_choice_2;
-      map_sorted_high_3 <= map_sorted_high_3_choice when map_of_column_2_c_below_b else map_sorted_high_3_choice_2;
-      map_passed_1_0 <= map_passed_0_0 or map_passed_1_0_all when map_passed_1_0 else map_passed_0_0 and
-        map_passed_1_0_any;
-      map_passed_1_1 <= map_passed_0_1 or map_passed_1_0_all when map_passed_1_1 else map_passed_0_1 and
-        map_passed_1_0_any;
-      map_passed_1_2 <= map_passed_0_2 or map_passed_1_0_all when map_passed_1_2 else map_passed_0_2 and
-        map_passed_1_0_any;
-      map_passed_1_3 <= map_passed_0_3 or map_passed_1_0_all when map_passed_1_3 else map_passed_0_3 and
-        map_passed_1_0_any;
-      map_window_complete <= map_sorted_output and map_sorted_behind when map_window_complete_all else
-        map_sorted_output and map_passed_1_0_any;
       map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
       map_window_last <= map_sorted_behind;
       map_of_low_0_a <= map_low_0_0;
@@ -3957,22 +5396,6 @@ begin
       map_of_high_3_b_below_a <= (map_high_1_3 - map_high_0_3) < 0;
       map_of_high_3_c_below_a <= (map_high_2_3 - map_high_0_3) < 0;
       map_of_high_3_c_below_b <= (map_high_2_3 - map_high_1_3) < 0;
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
-      map_largest_low_1 <= map_largest_low_1_choice when map_of_low_1_b_below_a else map_largest_low_1_choice_2;
-      map_largest_low_2 <= map_largest_low_2_choice when map_of_low_2_b_below_a else map_largest_low_2_choice_2;
-      map_largest_low_3 <= map_largest_low_3_choice when map_of_low_3_b_below_a else map_largest_low_3_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
-        map_median_middle_0_choice_4;
-      map_median_middle_1 <= map_median_middle_1_choice_2 when map_of_middle_1_b_below_a else
-        map_median_middle_1_choice_4;
-      map_median_middle_2 <= map_median_middle_2_choice_2 when map_of_middle_2_b_below_a else
-        map_median_middle_2_choice_4;
-      map_median_middle_3 <= map_median_middle_3_choice_2 when map_of_middle_3_b_below_a else
-        map_median_middle_3_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
-      map_smallest_high_1 <= map_smallest_high_1_choice when map_of_high_1_b_below_a else map_smallest_high_1_choice_2;
-      map_smallest_high_2 <= map_smallest_high_2_choice when map_of_high_2_b_below_a else map_smallest_high_2_choice_2;
-      map_smallest_high_3 <= map_smallest_high_3_choice when map_of_high_3_b_below_a else map_smallest_high_3_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
@@ -4018,10 +5441,6 @@ begin
       map_waiting_passed_2_1 <= map_waiting_passed_1_1;
       map_waiting_passed_2_2 <= map_waiting_passed_1_2;
       map_waiting_passed_2_3 <= map_waiting_passed_1_3;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
-      map_out_disparity_1 <= map_out_disparity_1_choice_2 when map_of_all_1_b_below_a else map_out_disparity_1_choice_4;
-      map_out_disparity_2 <= map_out_disparity_2_choice_2 when map_of_all_2_b_below_a else map_out_disparity_2_choice_4;
-      map_out_disparity_3 <= map_out_disparity_3_choice_2 when map_of_all_3_b_below_a else map_out_disparity_3_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_passed_1 <= map_waiting_passed_2_1;
       map_out_passed_2 <= map_waiting_passed_2_2;
@@ -4029,6 +5448,163 @@ begin
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_map_column then
+        map_counter_group <= map_counter_group_choice;
+      else
+        map_counter_group <= map_counter_group_choice_3;
+      end if;
+      if map_counter_next_frame_choice_2 then
+        map_counter_next_frame <= map_counter_next_frame or map_counter_column_all;
+      else
+        map_counter_next_frame <= map_counter_next_frame and ((not leftright_checked_tag_valid) or (not
+          leftright_checked_tag_map_column));
+      end if;
+      if leftright_checked_tag_end_of_line then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= map_line_ended and (not leftright_checked_tag_valid);
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_1 <= map_sorted_low_1_choice;
+        map_sorted_middle_1 <= map_sorted_middle_1_choice;
+        map_sorted_high_1 <= map_sorted_high_1_choice;
+      else
+        map_sorted_low_1 <= map_sorted_low_1_choice_2;
+        map_sorted_middle_1 <= map_sorted_middle_1_choice_2;
+        map_sorted_high_1 <= map_sorted_high_1_choice_2;
+      end if;
+      if map_of_column_1_c_below_b then
+        map_sorted_low_2 <= map_sorted_low_2_choice;
+        map_sorted_middle_2 <= map_sorted_middle_2_choice;
+        map_sorted_high_2 <= map_sorted_high_2_choice;
+      else
+        map_sorted_low_2 <= map_sorted_low_2_choice_2;
+        map_sorted_middle_2 <= map_sorted_middle_2_choice_2;
+        map_sorted_high_2 <= map_sorted_high_2_choice_2;
+      end if;
+      if map_of_column_2_c_below_b then
+        map_sorted_low_3 <= map_sorted_low_3_choice;
+        map_sorted_middle_3 <= map_sorted_middle_3_choice;
+        map_sorted_high_3 <= map_sorted_high_3_choice;
+      else
+        map_sorted_low_3 <= map_sorted_low_3_choice_2;
+        map_sorted_middle_3 <= map_sorted_middle_3_choice_2;
+        map_sorted_high_3 <= map_sorted_high_3_choice_2;
+      end if;
+      if map_passed_1_0 then
+        map_passed_1_0 <= map_passed_0_0 or map_passed_1_0_all;
+      else
+        map_passed_1_0 <= map_passed_0_0 and map_passed_1_0_any;
+      end if;
+      if map_passed_1_1 then
+        map_passed_1_1 <= map_passed_0_1 or map_passed_1_0_all;
+      else
+        map_passed_1_1 <= map_passed_0_1 and map_passed_1_0_any;
+      end if;
+      if map_passed_1_2 then
+        map_passed_1_2 <= map_passed_0_2 or map_passed_1_0_all;
+      else
+        map_passed_1_2 <= map_passed_0_2 and map_passed_1_0_any;
+      end if;
+      if map_passed_1_3 then
+        map_passed_1_3 <= map_passed_0_3 or map_passed_1_0_all;
+      else
+        map_passed_1_3 <= map_passed_0_3 and map_passed_1_0_any;
+      end if;
+      if map_window_complete_all then
+        map_window_complete <= map_sorted_output and map_sorted_behind;
+      else
+        map_window_complete <= map_sorted_output and map_passed_1_0_any;
+      end if;
+      if map_of_low_0_b_below_a then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_low_1_b_below_a then
+        map_largest_low_1 <= map_largest_low_1_choice;
+      else
+        map_largest_low_1 <= map_largest_low_1_choice_2;
+      end if;
+      if map_of_low_2_b_below_a then
+        map_largest_low_2 <= map_largest_low_2_choice;
+      else
+        map_largest_low_2 <= map_largest_low_2_choice_2;
+      end if;
+      if map_of_low_3_b_below_a then
+        map_largest_low_3 <= map_largest_low_3_choice;
+      else
+        map_largest_low_3 <= map_largest_low_3_choice_2;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_middle_1_b_below_a then
+        map_median_middle_1 <= map_median_middle_1_choice_2;
+      else
+        map_median_middle_1 <= map_median_middle_1_choice_4;
+      end if;
+      if map_of_middle_2_b_below_a then
+        map_median_middle_2 <= map_median_middle_2_choice_2;
+      else
+        map_median_middle_2 <= map_median_middle_2_choice_4;
+      end if;
+      if map_of_middle_3_b_below_a then
+        map_median_middle_3 <= map_median_middle_3_choice_2;
+      else
+        map_median_middle_3 <= map_median_middle_3_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_high_1_b_below_a then
+        map_smallest_high_1 <= map_smallest_high_1_choice;
+      else
+        map_smallest_high_1 <= map_smallest_high_1_choice_2;
+      end if;
+      if map_of_high_2_b_below_a then
+        map_smallest_high_2 <= map_smallest_high_2_choice;
+      else
+        map_smallest_high_2 <= map_smallest_high_2_choice_2;
+      end if;
+      if map_of_high_3_b_below_a then
+        map_smallest_high_3 <= map_smallest_high_3_choice;
+      else
+        map_smallest_high_3 <= map_smallest_high_3_choice_2;
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
+      if map_of_all_1_b_below_a then
+        map_out_disparity_1 <= map_out_disparity_1_choice_2;
+      else
+        map_out_disparity_1 <= map_out_disparity_1_choice_4;
+      end if;
+      if map_of_all_2_b_below_a then
+        map_out_disparity_2 <= map_out_disparity_2_choice_2;
+      else
+        map_out_disparity_2 <= map_out_disparity_2_choice_4;
+      end if;
+      if map_of_all_3_b_below_a then
+        map_out_disparity_3 <= map_out_disparity_3_choice_2;
+      else
+        map_out_disparity_3 <= map_out_disparity_3_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= map_rows_ready_words_2 + (map_rows_ready_newest_0 * 8192);
         map_rows_write_words_1 <= to_integer(((to_unsigned(map_rows_ready_newest_2, 16) & to_unsigned(0, 13)) or
@@ -4036,27 +5612,71 @@ begin
         map_rows_write_words_2 <= map_rows_ready_newest_3;
         map_at_column <= to_integer(other_0(4 downto 0));
       end if;
-      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
-      map_low_0_1_choice := map_low_0_1 when map_sorted_behind else map_sorted_low_1;
-      map_low_0_2_choice := map_low_0_2 when map_sorted_behind else map_sorted_low_2;
-      map_low_0_3_choice := map_low_0_3 when map_sorted_behind else map_sorted_low_3;
-      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
-      map_middle_0_1_choice := map_middle_0_1 when map_sorted_behind else map_sorted_middle_1;
-      map_middle_0_2_choice := map_middle_0_2 when map_sorted_behind else map_sorted_middle_2;
-      map_middle_0_3_choice := map_middle_0_3 when map_sorted_behind else map_sorted_middle_3;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
-      map_high_0_1_choice := map_high_0_1 when map_sorted_behind else map_sorted_high_1;
-      map_high_0_2_choice := map_high_0_2 when map_sorted_behind else map_sorted_high_2;
-      map_high_0_3_choice := map_high_0_3 when map_sorted_behind else map_sorted_high_3;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_0_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
+      if map_sorted_behind then
+        map_low_0_1_choice := map_low_0_1;
+      else
+        map_low_0_1_choice := map_sorted_low_1;
+      end if;
+      if map_sorted_behind then
+        map_low_0_2_choice := map_low_0_2;
+      else
+        map_low_0_2_choice := map_sorted_low_2;
+      end if;
+      if map_sorted_behind then
+        map_low_0_3_choice := map_low_0_3;
+      else
+        map_low_0_3_choice := map_sorted_low_3;
+      end if;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_0_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_middle_0_1_choice := map_middle_0_1;
+      else
+        map_middle_0_1_choice := map_sorted_middle_1;
+      end if;
+      if map_sorted_behind then
+        map_middle_0_2_choice := map_middle_0_2;
+      else
+        map_middle_0_2_choice := map_sorted_middle_2;
+      end if;
+      if map_sorted_behind then
+        map_middle_0_3_choice := map_middle_0_3;
+      else
+        map_middle_0_3_choice := map_sorted_middle_3;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_1_choice := map_high_0_1;
+      else
+        map_high_0_1_choice := map_sorted_high_1;
+      end if;
+      if map_sorted_behind then
+        map_high_0_2_choice := map_high_0_2;
+      else
+        map_high_0_2_choice := map_sorted_high_2;
+      end if;
+      if map_sorted_behind then
+        map_high_0_3_choice := map_high_0_3;
+      else
+        map_high_0_3_choice := map_sorted_high_3;
+      end if;
       if map_passed_1_0_any then
         map_low_0_0 <= map_low_0_0_choice;
         map_low_0_1 <= map_low_0_1_choice;
         map_low_0_2 <= map_low_0_2_choice;
         map_low_0_3 <= map_low_0_3_choice;
-        map_low_1_0 <= map_low_0_0_choice when map_window_complete_all else map_low_0_0;
-        map_low_1_1 <= map_low_0_1_choice when map_window_complete_all else map_low_0_1;
-        map_low_1_2 <= map_low_0_2_choice when map_window_complete_all else map_low_0_2;
-        map_low_1_3 <= map_low_0_3_choice when map_window_complete_all else map_low_0_3;
         map_low_2_0 <= map_low_1_0;
         map_low_2_1 <= map_low_1_1;
         map_low_2_2 <= map_low_1_2;
@@ -4065,10 +5685,6 @@ begin
         map_middle_0_1 <= map_middle_0_1_choice;
         map_middle_0_2 <= map_middle_0_2_choice;
         map_middle_0_3 <= map_middle_0_3_choice;
-        map_middle_1_0 <= map_middle_0_0_choice when map_window_complete_all else map_middle_0_0;
-        map_middle_1_1 <= map_middle_0_1_choice when map_window_complete_all else map_middle_0_1;
-        map_middle_1_2 <= map_middle_0_2_choice when map_window_complete_all else map_middle_0_2;
-        map_middle_1_3 <= map_middle_0_3_choice when map_window_complete_all else map_middle_0_3;
         map_middle_2_0 <= map_middle_1_0;
         map_middle_2_1 <= map_middle_1_1;
         map_middle_2_2 <= map_middle_1_2;
@@ -4077,14 +5693,37 @@ begin
         map_high_0_1 <= map_high_0_1_choice;
         map_high_0_2 <= map_high_0_2_choice;
         map_high_0_3 <= map_high_0_3_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_window_complete_all else map_high_0_0;
-        map_high_1_1 <= map_high_0_1_choice when map_window_complete_all else map_high_0_1;
-        map_high_1_2 <= map_high_0_2_choice when map_window_complete_all else map_high_0_2;
-        map_high_1_3 <= map_high_0_3_choice when map_window_complete_all else map_high_0_3;
         map_high_2_0 <= map_high_1_0;
         map_high_2_1 <= map_high_1_1;
         map_high_2_2 <= map_high_1_2;
         map_high_2_3 <= map_high_1_3;
+        if map_window_complete_all then
+          map_low_1_0 <= map_low_0_0_choice;
+          map_low_1_1 <= map_low_0_1_choice;
+          map_low_1_2 <= map_low_0_2_choice;
+          map_low_1_3 <= map_low_0_3_choice;
+          map_middle_1_0 <= map_middle_0_0_choice;
+          map_middle_1_1 <= map_middle_0_1_choice;
+          map_middle_1_2 <= map_middle_0_2_choice;
+          map_middle_1_3 <= map_middle_0_3_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+          map_high_1_1 <= map_high_0_1_choice;
+          map_high_1_2 <= map_high_0_2_choice;
+          map_high_1_3 <= map_high_0_3_choice;
+        else
+          map_low_1_0 <= map_low_0_0;
+          map_low_1_1 <= map_low_0_1;
+          map_low_1_2 <= map_low_0_2;
+          map_low_1_3 <= map_low_0_3;
+          map_middle_1_0 <= map_middle_0_0;
+          map_middle_1_1 <= map_middle_0_1;
+          map_middle_1_2 <= map_middle_0_2;
+          map_middle_1_3 <= map_middle_0_3;
+          map_high_1_0 <= map_high_0_0;
+          map_high_1_1 <= map_high_0_1;
+          map_high_1_2 <= map_high_0_2;
+          map_high_1_3 <= map_high_0_3;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;

@@ -460,179 +460,287 @@ architecture rtl of stereo_core_tiny_all_recursive is
   signal other_7 : natural range 0 to 224;
   signal other_8 : natural range 0 to 192;
   signal other_9 : natural range 0 to 128;
+  signal map_rows_read_words_0_memory_read_enable : boolean;
+  signal map_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal map_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal leftright_found_0_memory_read_enable : boolean;
+  signal leftright_found_0_memory_read_address : unsigned(3 downto 0);
+  signal leftright_found_0_memory_write_address : unsigned(3 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
+  signal leftright_held_0_memory_read_enable : boolean;
+  signal leftright_held_0_memory_read_address : unsigned(2 downto 0);
+  signal leftright_held_0_memory_write_address : unsigned(2 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
+  signal texturewindow_leaving_0_memory_read_enable : boolean;
+  signal texturewindow_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal texturewindow_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal texturewindow_leaving_0_memory_write_data : unsigned(8 downto 0);
+  signal texturecost_read_words_0_memory_read_enable : boolean;
+  signal texturecost_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal texturecost_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal texturecost_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal slice2window_leaving_0_memory_read_enable : boolean;
+  signal slice2window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_0_memory_write_data : unsigned(17 downto 0);
+  signal slice2cost_read_words_0_memory_read_enable : boolean;
+  signal slice2cost_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice2cost_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice2cost_read_words_0_memory_write_data : unsigned(17 downto 0);
+  signal slice1window_leaving_0_memory_read_enable : boolean;
+  signal slice1window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(26 downto 0);
+  signal slice1cost_read_words_0_memory_read_enable : boolean;
+  signal slice1cost_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice1cost_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice1cost_read_words_0_memory_write_data : unsigned(26 downto 0);
+  signal slice0window_leaving_0_memory_read_enable : boolean;
+  signal slice0window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(26 downto 0);
+  signal slice0cost_read_words_0_memory_read_enable : boolean;
+  signal slice0cost_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice0cost_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(26 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(20 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(20 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(3 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(3 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(6 downto 0);
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  map_rows_read_words_0_memory_read_enable <= true;
+  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 5);
+  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 5);
   map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 23, width => 26)
+    generic map (depth => 23, width => 26, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
+      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
+      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
 
+  leftright_found_0_memory_read_enable <= true;
+  leftright_found_0_memory_read_address <= to_unsigned(leftright_address_0, 4);
+  leftright_found_0_memory_write_address <= to_unsigned(leftright_position, 4);
   leftright_found_0_memory_write_data <= to_unsigned(leftright_other_13_0, 3);
   leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
+    generic map (depth => 16, width => 3, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+      clock => clock, read_enable => leftright_found_0_memory_read_enable,
+      read_address => leftright_found_0_memory_read_address, read_data => leftright_found_0,
+      write_address => leftright_found_0_memory_write_address, write_data => leftright_found_0_memory_write_data);
 
+  leftright_held_0_memory_read_enable <= true;
+  leftright_held_0_memory_read_address <= to_unsigned(leftright_ring_read_address, 3);
+  leftright_held_0_memory_write_address <= to_unsigned(leftright_ring_write_address, 3);
   leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
   leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 18)
+    generic map (depth => 8, width => 18, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+      clock => clock, read_enable => leftright_held_0_memory_read_enable,
+      read_address => leftright_held_0_memory_read_address, read_data => leftright_held_0,
+      write_address => leftright_held_0_memory_write_address, write_data => leftright_held_0_memory_write_data);
 
+  texturewindow_leaving_0_memory_read_enable <= true;
+  texturewindow_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  texturewindow_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   texturewindow_leaving_0_memory_write_data <= to_unsigned(texturecost_column_0_0, 9);
   texturewindow_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 9)
+    generic map (depth => 8, width => 9, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => texturewindow_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => texturewindow_leaving_0_memory_write_data);
+      clock => clock, read_enable => texturewindow_leaving_0_memory_read_enable,
+      read_address => texturewindow_leaving_0_memory_read_address, read_data => texturewindow_leaving_0,
+      write_address => texturewindow_leaving_0_memory_write_address, write_data => texturewindow_leaving_0_memory_write_data);
 
+  texturecost_read_words_0_memory_read_enable <= true;
+  texturecost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 5);
+  texturecost_read_words_0_memory_write_address <= to_unsigned(slice0cost_write_column, 5);
   texturecost_read_words_0_memory_write_data <= to_unsigned(texturecost_write_words_0, 9);
   texturecost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 9)
+    generic map (depth => 32, width => 9, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => texturecost_read_words_0,
-      write_address => slice0cost_write_column, write_data => texturecost_read_words_0_memory_write_data);
+      clock => clock, read_enable => texturecost_read_words_0_memory_read_enable,
+      read_address => texturecost_read_words_0_memory_read_address, read_data => texturecost_read_words_0,
+      write_address => texturecost_read_words_0_memory_write_address, write_data => texturecost_read_words_0_memory_write_data);
 
+  slice2window_leaving_0_memory_read_enable <= true;
+  slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0_1, 9) & to_unsigned(slice2cost_column_0_0, 9);
   slice2window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 18)
+    generic map (depth => 8, width => 18, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_0,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
+      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving_0,
+      write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
 
+  slice2cost_read_words_0_memory_read_enable <= true;
+  slice2cost_read_words_0_memory_read_address <= to_unsigned(slice1cost_change_column, 5);
+  slice2cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_write_column, 5);
   slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words_0, 18);
   slice2cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 18)
+    generic map (depth => 32, width => 18, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_change_column, read_data => slice2cost_read_words_0,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
+      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words_0,
+      write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
 
+  slice1window_leaving_0_memory_read_enable <= true;
+  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_2, 9) & to_unsigned(slice1cost_column_0_1, 9) & to_unsigned(slice1cost_column_0_0, 9);
   slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 27)
+    generic map (depth => 8, width => 27, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_0,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
+      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving_0,
+      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
 
+  slice1cost_read_words_0_memory_read_enable <= true;
+  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice1cost_read_column, 5);
+  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_ready_column, 5);
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 27);
   slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 27)
+    generic map (depth => 32, width => 27, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_read_column, read_data => slice1cost_read_words_0,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
+      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words_0,
+      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
 
+  slice0window_leaving_0_memory_read_enable <= true;
+  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_2, 9) & to_unsigned(slice0cost_column_0_1, 9) & to_unsigned(slice0cost_column_0_0, 9);
   slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 27)
+    generic map (depth => 8, width => 27, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
+      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
+  slice0cost_read_words_0_memory_read_enable <= true;
+  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 5);
+  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice0cost_write_column, 5);
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 27);
   slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 27)
+    generic map (depth => 32, width => 27, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice0cost_write_column, write_data => slice0cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
+      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words_0,
+      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 21);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 21)
+    generic map (depth => 32, width => 21, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 28)
+    generic map (depth => 32, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 21);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 21)
+    generic map (depth => 32, width => 21, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 28)
+    generic map (depth => 32, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 4);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 4);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 7);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 9, width => 7)
+    generic map (depth => 9, width => 7, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 16)
+    generic map (depth => 32, width => 16, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 16)
+    generic map (depth => 32, width => 16, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -719,29 +827,52 @@ begin
       transform_counter_group_is_equal := transform_counter_column = 31;
       transform_counter_group_is_equal_2 := transform_counter_group = 11;
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      transform_counter_group_choice := 3 when transform_counter_group_all else 0;
+      if transform_counter_group_all then
+        transform_counter_group_choice := 3;
+      else
+        transform_counter_group_choice := 0;
+      end if;
       transform_counter_group_is_equal_3 := (transform_counter_group / 2) = 6;
-      transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and (not
-        ((transform_counter_group mod 2) = 1)) when transform_counter_group_is_equal_3 else
-        transform_counter_group_is_equal and in_valid;
-      transform_counter_group_choice_3 := 1 when transform_counter_next_frame and (transform_counter_group = 12) else
-        (transform_counter_group + 1) mod 16;
-      transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_choice_2 else
-        transform_counter_group;
+      if transform_counter_group_is_equal_3 then
+        transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and (not
+          ((transform_counter_group mod 2) = 1));
+      else
+        transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid;
+      end if;
+      if transform_counter_next_frame and (transform_counter_group = 12) then
+        transform_counter_group_choice_3 := 1;
+      else
+        transform_counter_group_choice_3 := (transform_counter_group + 1) mod 16;
+      end if;
+      if transform_counter_group_choice_2 then
+        transform_counter_group_choice_4 := transform_counter_group_choice_3;
+      else
+        transform_counter_group_choice_4 := transform_counter_group;
+      end if;
       transform_read_column_inside_0_differs := (transform_counter_column / 2) /= 0;
-      transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
-        (transform_left_filter_slope_0 + 31) mod 128;
-      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-31) else
-        transform_left_filter_feature_0_choice;
-      transform_right_filter_feature_0_choice := 62 when 31 < transform_right_filter_slope_0 else
-        (transform_right_filter_slope_0 + 31) mod 128;
-      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-31) else
-        transform_right_filter_feature_0_choice;
+      if 31 < transform_left_filter_slope_0 then
+        transform_left_filter_feature_0_choice := 62;
+      else
+        transform_left_filter_feature_0_choice := (transform_left_filter_slope_0 + 31) mod 128;
+      end if;
+      if transform_left_filter_slope_0 < (-31) then
+        transform_left_filter_feature_0_choice_2 := 0;
+      else
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      end if;
+      if 31 < transform_right_filter_slope_0 then
+        transform_right_filter_feature_0_choice := 62;
+      else
+        transform_right_filter_feature_0_choice := (transform_right_filter_slope_0 + 31) mod 128;
+      end if;
+      if transform_right_filter_slope_0 < (-31) then
+        transform_right_filter_feature_0_choice_2 := 0;
+      else
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice * 4 when in_valid and in_start_of_frame else
-        transform_counter_group_choice_4;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -781,11 +912,7 @@ begin
       transform_columns_valid <= transform_ready_valid;
       transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
       transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
-      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
-        31;
       transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
-      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
-        else 31;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -794,16 +921,40 @@ begin
       transform_filtering_1_valid <= transform_filtering_0_valid;
       transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
       transform_filtering_2_valid <= transform_filtering_1_valid;
-      transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1)
-        when transform_counter_group_is_equal else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
-        transform_counter_group_is_equal_3 else transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= transform_counter_group_choice * 4;
+      else
+        transform_counter_group <= transform_counter_group_choice_4;
+      end if;
+      if transform_left_filter_whole then
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2;
+      else
+        transform_left_filter_feature_0 <= 31;
+        transform_right_filter_feature_0 <= 31;
+      end if;
+      if transform_counter_group_is_equal then
+        transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1);
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
+      if transform_counter_group_is_equal_3 then
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
+      else
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
-          (transform_counter_column + 1) mod 32;
-        transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame) when
-          transform_counter_next_frame_choice_2 else transform_counter_group_is_equal and
-          transform_counter_group_is_equal_2 and in_start_of_frame;
+        if transform_counter_group_is_equal or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 32;
+        end if;
+        if transform_counter_next_frame_choice_2 then
+          transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame);
+        else
+          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_newest_0 * 256) +
@@ -812,18 +963,36 @@ begin
           (transform_right_rows_ready_words_0 / 256);
         transform_write_column <= transform_ready_column;
       end if;
-      transform_left_filter_column_0_0_choice := transform_left_column_0 when transform_columns_row_inside_0 else
-        transform_left_column_2;
-      transform_left_filter_column_0_0_choice_2 := transform_left_column_2 when transform_columns_row_inside_2 else
-        transform_left_column_0;
-      transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1 when
-        transform_columns_row_inside_2 else (transform_left_column_0 mod 2) = 1;
-      transform_right_filter_column_0_0_choice := transform_right_column_0 when transform_columns_row_inside_0 else
-        transform_right_column_2;
-      transform_right_filter_column_0_0_choice_2 := transform_right_column_2 when transform_columns_row_inside_2 else
-        transform_right_column_0;
-      transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1 when
-        transform_columns_row_inside_2 else (transform_right_column_0 mod 2) = 1;
+      if transform_columns_row_inside_0 then
+        transform_left_filter_column_0_0_choice := transform_left_column_0;
+      else
+        transform_left_filter_column_0_0_choice := transform_left_column_2;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_2;
+      else
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_0;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1;
+      else
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_0 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_0 then
+        transform_right_filter_column_0_0_choice := transform_right_column_0;
+      else
+        transform_right_filter_column_0_0_choice := transform_right_column_2;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_2;
+      else
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_0;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1;
+      else
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_0 mod 2) = 1;
+      end if;
       if transform_columns_valid then
         transform_left_filter_column_0_0 <= transform_left_filter_column_0_0_choice +
           (((transform_left_filter_column_0_0_choice_2 / 2) + transform_left_column_1) * 2) +
@@ -840,18 +1009,32 @@ begin
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_reference_0 <= transform_right_filter_feature_0;
       raster_features_valid <= transform_filtering_2_valid;
-      raster_place_group <= 0 when transform_filtering_2_valid and transform_filtering_2_start_of_frame else
-        (raster_place_group + as_number(((raster_place_group /= 15) and transform_filtering_2_valid and
-        (raster_place_column = 31)))) mod 16;
-      raster_place_column_choice := transform_filtering_2_start_of_frame or ((raster_place_column mod 2) = 1) when
-        (raster_place_column / 2) = 15 else transform_filtering_2_start_of_frame;
+      if transform_filtering_2_valid and transform_filtering_2_start_of_frame then
+        raster_place_group <= 0;
+      else
+        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 15) and
+          transform_filtering_2_valid and (raster_place_column = 31)))) mod 16;
+      end if;
+      if (raster_place_column / 2) = 15 then
+        raster_place_column_choice := transform_filtering_2_start_of_frame or ((raster_place_column mod 2) = 1);
+      else
+        raster_place_column_choice := transform_filtering_2_start_of_frame;
+      end if;
       if transform_filtering_2_valid then
-        raster_place_column <= 0 when raster_place_column_choice else (raster_place_column + 1) mod 32;
+        if raster_place_column_choice then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 8 else (delay_ring_read_address + 1) mod 16;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 8 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 16;
+        end if;
       end if;
       delay_tag_first_cost_is_equal := raster_place_column = 8;
       delay_tag_map_column_is_less := (((((raster_place_column / 8) + 8191) mod 8192) * 8) + (raster_place_column mod
@@ -906,10 +1089,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_newest_0 when rows_ready_inside_1 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_1 else 0;
       rows_inside_0 <= rows_ready_inside_0;
       rows_inside_1 <= rows_ready_inside_1;
       rows_tag_valid <= rows_ready_tag_valid;
@@ -922,6 +1101,20 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 128;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_newest_0;
+        rows_reference_1 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 128) + ((rows_search_rows_ready_words_1 mod
           128) * 2097152);
@@ -957,16 +1150,36 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 mod 512;
-      slice0cost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_0 +
-        slice0cost_column_0_0_choice) mod 512;
-      slice0cost_column_0_1_choice := 0 when slice0cost_ready_tag_first_group else (slice0cost_ready_words_0 / 512) mod
-        512;
-      slice0cost_column_0_1_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_1_choice +
-        slice0cost_change_0_1) mod 512;
-      slice0cost_column_0_2_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 / 262144;
-      slice0cost_column_0_2_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_2_choice +
-        slice0cost_change_0_2) mod 512;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_0_choice := 0;
+      else
+        slice0cost_column_0_0_choice := slice0cost_ready_words_0 mod 512;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_0_choice_2 := 0;
+      else
+        slice0cost_column_0_0_choice_2 := (slice0cost_change_0_0 + slice0cost_column_0_0_choice) mod 512;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_1_choice := 0;
+      else
+        slice0cost_column_0_1_choice := (slice0cost_ready_words_0 / 512) mod 512;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_1_choice_2 := 0;
+      else
+        slice0cost_column_0_1_choice_2 := (slice0cost_column_0_1_choice + slice0cost_change_0_1) mod 512;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_2_choice := 0;
+      else
+        slice0cost_column_0_2_choice := slice0cost_ready_words_0 / 262144;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_2_choice_2 := 0;
+      else
+        slice0cost_column_0_2_choice_2 := (slice0cost_column_0_2_choice + slice0cost_change_0_2) mod 512;
+      end if;
       slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -1027,7 +1240,11 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
       if slice0shift_tag_valid then
-        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 32;
+        if slice0shift_tag_row_start then
+          slice0cost_read_column <= 0;
+        else
+          slice0cost_read_column <= (slice0cost_read_column + 1) mod 32;
+        end if;
       end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_column <= slice0cost_ready_column;
@@ -1036,9 +1253,12 @@ begin
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 7 else
-          (slice0window_ring_read_address + 1) mod 8;
         slice0window_ring_write_address <= slice0window_ring_read_address;
+        if slice0window_ring_read_address = 7 then
+          slice0window_ring_read_address <= 0;
+        else
+          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice0window_entering_tag_leaves_window then
         slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(8 downto 0));
@@ -1083,9 +1303,21 @@ begin
       slice0window_tag_valid <= slice0window_change_tag_valid;
       slice0window_tag_output_column <= slice0window_centre_output_column_2;
       slice0window_tag_first_column <= slice0window_centre_first_column_2;
-      slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
-      slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
-      slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_0_choice := 0;
+      else
+        slice0window_sum_0_0_choice := slice0window_sum_0_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_1_choice := 0;
+      else
+        slice0window_sum_0_1_choice := slice0window_sum_0_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_2_choice := 0;
+      else
+        slice0window_sum_0_2_choice := slice0window_sum_0_2;
+      end if;
       if slice0window_change_tag_valid then
         slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 4096;
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 4096;
@@ -1100,15 +1332,33 @@ begin
       -- slice0other
       slice0other_cost_0_0_all := slice0window_tag_output_column and (((slice0other_cost_0_1 - slice0window_sum_0_0) >=
         0) or slice0window_tag_first_column);
-      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0other_cost_0_2 - slice0window_sum_0_1)
-        >= 0 else slice0window_tag_output_column and slice0window_tag_first_column;
+      if (slice0other_cost_0_2 - slice0window_sum_0_1) >= 0 then
+        slice0other_cost_0_1_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_1_choice := slice0window_tag_output_column and slice0window_tag_first_column;
+      end if;
       if slice0window_tag_valid then
-        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else slice0other_cost_0_1;
-        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_2;
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0window_tag_output_column else 0;
-        slice0other_winner_0_0 <= 5 when slice0other_cost_0_0_all else slice0other_winner_0_1;
-        slice0other_winner_0_1 <= 6 when slice0other_cost_0_1_choice else slice0other_winner_0_2;
-        slice0other_winner_0_2 <= 7 when slice0window_tag_output_column else 0;
+        if slice0other_cost_0_0_all then
+          slice0other_cost_0_0 <= slice0window_sum_0_0;
+          slice0other_winner_0_0 <= 5;
+        else
+          slice0other_cost_0_0 <= slice0other_cost_0_1;
+          slice0other_winner_0_0 <= slice0other_winner_0_1;
+        end if;
+        if slice0other_cost_0_1_choice then
+          slice0other_cost_0_1 <= slice0window_sum_0_1;
+          slice0other_winner_0_1 <= 6;
+        else
+          slice0other_cost_0_1 <= slice0other_cost_0_2;
+          slice0other_winner_0_1 <= slice0other_winner_0_2;
+        end if;
+        if slice0window_tag_output_column then
+          slice0other_cost_0_2 <= slice0window_sum_0_2;
+          slice0other_winner_0_2 <= 7;
+        else
+          slice0other_cost_0_2 <= 0;
+          slice0other_winner_0_2 <= 0;
+        end if;
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0_0;
       slice0other_winner_out_0 <= slice0other_winner_0_0;
@@ -1117,17 +1367,22 @@ begin
       slice0winner1_held_0_0 <= slice0window_sum_0_0;
       slice0winner1_held_0_1 <= slice0window_sum_0_1;
       slice0winner1_held_0_2 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
       slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
       slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
       slice0winner1_best_late_cost_0_1 <= slice0winner1_held_0_2;
       slice0winner1_best_but_first_0_0 <= slice0winner1_held_0_1;
       slice0winner1_best_but_last_0_0 <= slice0winner1_held_0_0;
       slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+      end if;
       if slice0winner1_tag_valid then
         slice0winner1_tag_map_column <= slice2window_centre_map_column_1;
         slice0winner1_tag_output_column <= slice2window_centre_output_column_1;
@@ -1137,38 +1392,59 @@ begin
       end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_held_0_2 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1 when (not slice0winner2_best_at_end_0_0)
-        and (not slice0winner2_best_at_start_0_0) else 4095;
-      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_at_start_0_0
-        else 4095;
-      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0 when slice0winner2_best_place_0_0 else
-        slice0winner2_best_second_0_0_choice_2;
-      slice0winner2_best_cost_0_0 <= slice0winner1_held_0_2 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_below_0_0 <= slice0winner1_held_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_below_0_0;
-      slice0winner2_best_above_0_0 <= 0 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner2_best_above_0_0_choice;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
+      if (not slice0winner2_best_at_end_0_0) and (not slice0winner2_best_at_start_0_0) then
+        slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1;
+      else
+        slice0winner2_best_second_0_0_choice := 4095;
+      end if;
+      if slice0winner2_best_at_start_0_0 then
+        slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_2 := 4095;
+      end if;
+      if slice0winner2_best_place_0_0 then
+        slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_3 := slice0winner2_best_second_0_0_choice_2;
+      end if;
       slice0winner2_best_first_0_0 <= slice0winner1_held_0_0;
       slice0winner2_best_place_0_0 <= slice0winner2_best_cost_0_0_is_less and transform_read_column_inside_1;
       slice0winner2_best_at_start_0_0 <= slice0winner2_best_cost_0_0_is_less;
       slice0winner2_best_at_end_0_0 <= slice0winner1_best_index_0_0 and ((slice0winner1_held_0_2 -
         slice0winner1_best_cost_0_0) >= 0);
       slice0winner2_best_late_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice when (slice0winner2_best_second_0_0_choice
-        - slice0winner2_best_second_0_0_choice_3) < 0 else slice0winner2_best_second_0_0_choice_3;
-      slice0winner2_best_but_first_0_0 <= slice0winner1_best_late_cost_0_1 when (slice0winner1_best_late_cost_0_1 -
-        slice0winner1_best_but_first_0_0) < 0 else slice0winner1_best_but_first_0_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_first_column <= slice0winner1_tag_first_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_held_0_2;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner1_held_0_1;
+        slice0winner2_best_above_0_0 <= 0;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      end if;
+      if (slice0winner2_best_second_0_0_choice - slice0winner2_best_second_0_0_choice_3) < 0 then
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice;
+      else
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_3;
+      end if;
+      if (slice0winner1_best_late_cost_0_1 - slice0winner1_best_but_first_0_0) < 0 then
+        slice0winner2_best_but_first_0_0 <= slice0winner1_best_late_cost_0_1;
+      else
+        slice0winner2_best_but_first_0_0 <= slice0winner1_best_but_first_0_0;
+      end if;
       -- slice0
       slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
       slice0_best_below_0_0 <= slice0winner2_best_below_0_0;
@@ -1196,15 +1472,36 @@ begin
       slice1shift_search_out_0 <= slice1shift_search_0_0;
       slice1shift_search_out_1 <= slice1shift_search_1_0;
       -- slice1cost
-      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 mod 512;
-      slice1cost_column_0_0_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_0 +
-        slice1cost_column_0_0_choice) mod 512;
-      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_0 / 512) mod 512;
-      slice1cost_column_0_1_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_column_0_1_choice +
-        slice1cost_change_0_1) mod 512;
-      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 / 262144;
-      slice1cost_column_0_2_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_column_0_2_choice +
-        slice1cost_change_0_2) mod 512;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_0_choice := 0;
+      else
+        slice1cost_column_0_0_choice := slice1cost_ready_words_0 mod 512;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0_choice_2 := 0;
+      else
+        slice1cost_column_0_0_choice_2 := (slice1cost_change_0_0 + slice1cost_column_0_0_choice) mod 512;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_1_choice := 0;
+      else
+        slice1cost_column_0_1_choice := (slice1cost_ready_words_0 / 512) mod 512;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_1_choice_2 := 0;
+      else
+        slice1cost_column_0_1_choice_2 := (slice1cost_column_0_1_choice + slice1cost_change_0_1) mod 512;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_2_choice := 0;
+      else
+        slice1cost_column_0_2_choice := slice1cost_ready_words_0 / 262144;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_2_choice_2 := 0;
+      else
+        slice1cost_column_0_2_choice_2 := (slice1cost_column_0_2_choice + slice1cost_change_0_2) mod 512;
+      end if;
       slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_pixels_first_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -1227,10 +1524,18 @@ begin
       slice1cost_column_0_2 <= slice1cost_column_0_2_choice_2;
       slice1cost_write_column <= slice1cost_ready_column;
       if slice0cost_pixels_first_tag_valid then
-        slice1cost_read_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice1cost_read_column + 1) mod 32;
+        if slice0cost_pixels_first_tag_row_start then
+          slice1cost_read_column <= 0;
+        else
+          slice1cost_read_column <= (slice1cost_read_column + 1) mod 32;
+        end if;
       end if;
       if slice0cost_pixels_tag_valid then
-        slice1cost_change_column <= 0 when slice0cost_pixels_tag_row_start else (slice1cost_change_column + 1) mod 32;
+        if slice0cost_pixels_tag_row_start then
+          slice1cost_change_column <= 0;
+        else
+          slice1cost_change_column <= (slice1cost_change_column + 1) mod 32;
+        end if;
       end if;
       if slice0cost_tag_valid then
         slice1cost_write_words_0 <= (slice1cost_column_0_1_choice_2 * 512) + slice1cost_column_0_0_choice_2 +
@@ -1238,9 +1543,12 @@ begin
       end if;
       -- slice1window
       if slice0window_entering_tag_valid then
-        slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 7 else
-          (slice1window_ring_read_address + 1) mod 8;
         slice1window_ring_write_address <= slice1window_ring_read_address;
+        if slice1window_ring_read_address = 7 then
+          slice1window_ring_read_address <= 0;
+        else
+          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice0window_change_tag_leaves_window then
         slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(8 downto 0));
@@ -1273,9 +1581,21 @@ begin
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       slice1window_tag_output_column <= slice1window_centre_output_column_2;
       slice1window_tag_first_column <= slice1window_centre_first_column_2;
-      slice1window_sum_0_0_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_0;
-      slice1window_sum_0_1_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_1;
-      slice1window_sum_0_2_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_2;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_0_choice := 0;
+      else
+        slice1window_sum_0_0_choice := slice1window_sum_0_0;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_1_choice := 0;
+      else
+        slice1window_sum_0_1_choice := slice1window_sum_0_1;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_2_choice := 0;
+      else
+        slice1window_sum_0_2_choice := slice1window_sum_0_2;
+      end if;
       if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 4096;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 4096;
@@ -1289,17 +1609,38 @@ begin
       slice1other_cost_0_0_any := (not slice1window_tag_output_column) or ((not slice1window_tag_first_column) and
         ((slice1other_cost_0_1 - slice1window_sum_0_0) < 0));
       slice1other_cost_0_1_any := (not slice1window_tag_output_column) or (not slice1window_tag_first_column);
-      slice1other_cost_0_1_choice := not slice1window_tag_output_column when (slice1other_cost_0_2 -
-        slice1window_sum_0_1) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_2_choice := not slice1window_tag_output_column when (slice0other_cost_out_0 -
-        slice1window_sum_0_2) >= 0 else slice1other_cost_0_1_any;
+      if (slice1other_cost_0_2 - slice1window_sum_0_1) >= 0 then
+        slice1other_cost_0_1_choice := not slice1window_tag_output_column;
+      else
+        slice1other_cost_0_1_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice0other_cost_out_0 - slice1window_sum_0_2) >= 0 then
+        slice1other_cost_0_2_choice := not slice1window_tag_output_column;
+      else
+        slice1other_cost_0_2_choice := slice1other_cost_0_1_any;
+      end if;
       if slice0winner1_tag_valid then
-        slice1other_cost_0_0 <= slice1other_cost_0_1 when slice1other_cost_0_0_any else slice1window_sum_0_0;
-        slice1other_cost_0_1 <= slice1other_cost_0_2 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
-        slice1other_cost_0_2 <= slice0other_cost_out_0 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
-        slice1other_winner_0_0 <= slice1other_winner_0_1 when slice1other_cost_0_0_any else 2;
-        slice1other_winner_0_1 <= slice1other_winner_0_2 when slice1other_cost_0_1_choice else 3;
-        slice1other_winner_0_2 <= slice0other_winner_out_0 when slice1other_cost_0_2_choice else 4;
+        if slice1other_cost_0_0_any then
+          slice1other_cost_0_0 <= slice1other_cost_0_1;
+          slice1other_winner_0_0 <= slice1other_winner_0_1;
+        else
+          slice1other_cost_0_0 <= slice1window_sum_0_0;
+          slice1other_winner_0_0 <= 2;
+        end if;
+        if slice1other_cost_0_1_choice then
+          slice1other_cost_0_1 <= slice1other_cost_0_2;
+          slice1other_winner_0_1 <= slice1other_winner_0_2;
+        else
+          slice1other_cost_0_1 <= slice1window_sum_0_1;
+          slice1other_winner_0_1 <= 3;
+        end if;
+        if slice1other_cost_0_2_choice then
+          slice1other_cost_0_2 <= slice0other_cost_out_0;
+          slice1other_winner_0_2 <= slice0other_winner_out_0;
+        else
+          slice1other_cost_0_2 <= slice1window_sum_0_2;
+          slice1other_winner_0_2 <= 4;
+        end if;
       end if;
       slice1other_cost_out_0 <= slice1other_cost_0_0;
       slice1other_winner_out_0 <= slice1other_winner_0_0;
@@ -1308,84 +1649,141 @@ begin
       slice1winner1_held_0_0 <= slice1window_sum_0_0;
       slice1winner1_held_0_1 <= slice1window_sum_0_1;
       slice1winner1_held_0_2 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
       slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
       slice1winner1_best_late_cost_0_1 <= slice1winner1_held_0_2;
       slice1winner1_best_but_first_0_0 <= slice1winner1_held_0_1;
       slice1winner1_best_but_last_0_0 <= slice1winner1_held_0_0;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_held_0_2 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1 when (not slice1winner2_best_at_end_0_0)
-        and (not slice1winner2_best_at_start_0_0) else 4095;
-      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_at_start_0_0
-        else 4095;
-      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0 when slice1winner2_best_place_0_0 else
-        slice1winner2_best_second_0_0_choice_2;
-      slice1winner2_best_cost_0_0 <= slice1winner1_held_0_2 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_below_0_0 <= slice1winner1_held_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_below_0_0;
-      slice1winner2_best_above_0_0 <= 0 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner2_best_above_0_0_choice;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
+      if (not slice1winner2_best_at_end_0_0) and (not slice1winner2_best_at_start_0_0) then
+        slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1;
+      else
+        slice1winner2_best_second_0_0_choice := 4095;
+      end if;
+      if slice1winner2_best_at_start_0_0 then
+        slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_2 := 4095;
+      end if;
+      if slice1winner2_best_place_0_0 then
+        slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_3 := slice1winner2_best_second_0_0_choice_2;
+      end if;
       slice1winner2_best_first_0_0 <= slice1winner1_held_0_0;
       slice1winner2_best_place_0_0 <= transform_read_column_inside_1 and slice1winner2_best_cost_0_0_is_less;
       slice1winner2_best_at_start_0_0 <= slice1winner2_best_cost_0_0_is_less;
       slice1winner2_best_at_end_0_0 <= slice1winner1_best_index_0_0 and ((slice1winner1_held_0_2 -
         slice1winner1_best_cost_0_0) >= 0);
       slice1winner2_best_late_cost_0_0 <= slice1winner2_best_cost_0_0;
-      slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice when (slice1winner2_best_second_0_0_choice
-        - slice1winner2_best_second_0_0_choice_3) < 0 else slice1winner2_best_second_0_0_choice_3;
-      slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1 when (slice1winner1_best_late_cost_0_1 -
-        slice1winner1_best_but_first_0_0) < 0 else slice1winner1_best_but_first_0_0;
-      slice1winner2_best_but_last_0_0 <= slice1winner1_best_late_cost_0_0 when slice1winner1_best_late_cost_0_0 < 4095
-        else 4095;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_held_0_2;
+        slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner1_held_0_1;
+        slice1winner2_best_above_0_0 <= 0;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      end if;
+      if (slice1winner2_best_second_0_0_choice - slice1winner2_best_second_0_0_choice_3) < 0 then
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice;
+      else
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_3;
+      end if;
+      if (slice1winner1_best_late_cost_0_1 - slice1winner1_best_but_first_0_0) < 0 then
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1;
+      else
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_but_first_0_0;
+      end if;
+      if slice1winner1_best_late_cost_0_0 < 4095 then
+        slice1winner2_best_but_last_0_0 <= slice1winner1_best_late_cost_0_0;
+      else
+        slice1winner2_best_but_last_0_0 <= 4095;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0winner2_best_late_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
       slice1_best_index_0_0_sum := (slice1winner2_best_index_0_0 / 2) + 1;
       slice1_best_below_0_0_is_equal := slice0_best_index_0_0 = 5;
-      slice1_best_below_0_0_choice := slice1winner1_best_late_cost_0_1 when slice1_best_below_0_0_is_equal else
-        slice0_best_below_0_0;
+      if slice1_best_below_0_0_is_equal then
+        slice1_best_below_0_0_choice := slice1winner1_best_late_cost_0_1;
+      else
+        slice1_best_below_0_0_choice := slice0_best_below_0_0;
+      end if;
       slice1_best_above_0_0_is_equal := slice1_best_index_0_0_sum = 2;
-      slice1_best_above_0_0_choice := slice0_best_first_0_0 when slice1_best_above_0_0_is_equal and (not
-        ((slice1winner2_best_index_0_0 mod 2) = 1)) else slice1winner2_best_above_0_0;
-      slice1_best_second_0_0_choice := slice0_best_second_0_0 when slice1_best_place_0_0 else slice0_best_late_cost_0_0;
-      slice1_best_second_0_0_choice_2 := slice0_best_but_first_0_0 when slice1_best_at_end_0_0 else
-        slice1_best_second_0_0_choice;
-      slice1_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0 when slice1_best_place_0_0 else
-        slice1winner2_best_second_0_0;
-      slice1_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0 when slice1_best_at_start_0_0 else
-        slice1_best_second_0_0_choice_3;
-      slice1_best_cost_0_0 <= slice0winner2_best_late_cost_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else (slice1_best_index_0_0_sum
-        * 2) + (slice1winner2_best_index_0_0 mod 2);
-      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
-        slice1winner2_best_below_0_0;
-      slice1_best_above_0_0 <= slice0_best_above_0_0 when slice1_best_cost_0_0_is_less else
-        slice1_best_above_0_0_choice;
+      if slice1_best_above_0_0_is_equal and (not ((slice1winner2_best_index_0_0 mod 2) = 1)) then
+        slice1_best_above_0_0_choice := slice0_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice1winner2_best_above_0_0;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice := slice0_best_second_0_0;
+      else
+        slice1_best_second_0_0_choice := slice0_best_late_cost_0_0;
+      end if;
+      if slice1_best_at_end_0_0 then
+        slice1_best_second_0_0_choice_2 := slice0_best_but_first_0_0;
+      else
+        slice1_best_second_0_0_choice_2 := slice1_best_second_0_0_choice;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0;
+      else
+        slice1_best_second_0_0_choice_3 := slice1winner2_best_second_0_0;
+      end if;
+      if slice1_best_at_start_0_0 then
+        slice1_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0;
+      else
+        slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3;
+      end if;
       slice1_best_first_0_0 <= slice1winner2_best_first_0_0;
       slice1_best_place_0_0 <= slice1_best_cost_0_0_is_less;
       slice1_best_at_start_0_0 <= slice1_best_below_0_0_is_equal and slice1_best_cost_0_0_is_less;
       slice1_best_at_end_0_0 <= ((slice0winner2_best_late_cost_0_0 - slice1winner2_best_cost_0_0) >= 0) and
         slice1_best_above_0_0_is_equal and (not ((slice1winner2_best_index_0_0 mod 2) = 1));
       slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
-      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
-        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
-      slice1_best_but_first_0_0 <= slice0_best_late_cost_0_0 when (slice0_best_late_cost_0_0 -
-        slice1winner2_best_but_first_0_0) < 0 else slice1winner2_best_but_first_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0winner2_best_late_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice0_best_above_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1_best_index_0_0 <= (slice1_best_index_0_0_sum * 2) + (slice1winner2_best_index_0_0 mod 2);
+        slice1_best_below_0_0 <= slice1winner2_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      end if;
+      if (slice1_best_second_0_0_choice_2 - slice1_best_second_0_0_choice_4) < 0 then
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2;
+      else
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_4;
+      end if;
+      if (slice0_best_late_cost_0_0 - slice1winner2_best_but_first_0_0) < 0 then
+        slice1_best_but_first_0_0 <= slice0_best_late_cost_0_0;
+      else
+        slice1_best_but_first_0_0 <= slice1winner2_best_but_first_0_0;
+      end if;
       -- slice2shift
       if slice0cost_pixels_first_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -1396,13 +1794,26 @@ begin
       slice2shift_reference_0 <= slice1shift_reference_0;
       slice2shift_reference_1 <= slice1shift_reference_1;
       -- slice2cost
-      slice2cost_column_0_0_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 mod
-        512;
-      slice2cost_column_0_0_choice_2 := 0 when slice0window_entering_tag_border_column else
-        (slice2cost_column_0_0_choice + slice2cost_change_0_0) mod 512;
-      slice2cost_column_0_1_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 / 512;
-      slice2cost_column_0_1_choice_2 := 0 when slice0window_entering_tag_border_column else
-        (slice2cost_column_0_1_choice + slice2cost_change_0_1) mod 512;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_0_choice := 0;
+      else
+        slice2cost_column_0_0_choice := slice2cost_ready_words_0 mod 512;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_0_choice_2 := 0;
+      else
+        slice2cost_column_0_0_choice_2 := (slice2cost_column_0_0_choice + slice2cost_change_0_0) mod 512;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_1_choice := 0;
+      else
+        slice2cost_column_0_1_choice := slice2cost_ready_words_0 / 512;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_1_choice_2 := 0;
+      else
+        slice2cost_column_0_1_choice_2 := (slice2cost_column_0_1_choice + slice2cost_change_0_1) mod 512;
+      end if;
       slice2cost_pixels_first_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_pixels_first_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_pixels_first_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
@@ -1427,9 +1838,12 @@ begin
       end if;
       -- slice2window
       if slice0window_change_tag_valid then
-        slice2window_ring_read_address <= 0 when slice2window_ring_read_address = 7 else
-          (slice2window_ring_read_address + 1) mod 8;
         slice2window_ring_write_address <= slice2window_ring_read_address;
+        if slice2window_ring_read_address = 7 then
+          slice2window_ring_read_address <= 0;
+        else
+          slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice1window_change_tag_leaves_window then
         slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(8 downto 0));
@@ -1449,8 +1863,16 @@ begin
         slice2window_change_tag_first_cost <= slice1window_change_tag_first_cost;
         slice2window_change_tag_output_column <= slice1window_change_tag_output_column;
       end if;
-      slice2window_sum_0_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_0;
-      slice2window_sum_0_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_1;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_0_choice := 0;
+      else
+        slice2window_sum_0_0_choice := slice2window_sum_0_0;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_1_choice := 0;
+      else
+        slice2window_sum_0_1_choice := slice2window_sum_0_1;
+      end if;
       if slice0winner1_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 4096;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 4096;
@@ -1466,26 +1888,43 @@ begin
         slice2window_centre_end_of_line_1 <= slice2window_centre_end_of_line_0;
       end if;
       -- slice2other
-      slice2other_cost_0_1_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_0 -
-        slice2window_sum_0_1) >= 0 else (not slice0winner2_tag_output_column) or (not slice0winner2_tag_first_column);
+      if (slice1other_cost_out_0 - slice2window_sum_0_1) >= 0 then
+        slice2other_cost_0_1_choice := not slice0winner2_tag_output_column;
+      else
+        slice2other_cost_0_1_choice := (not slice0winner2_tag_output_column) or (not slice0winner2_tag_first_column);
+      end if;
       if slice0winner2_tag_valid then
-        slice2other_cost_0_1 <= slice1other_cost_out_0 when slice2other_cost_0_1_choice else slice2window_sum_0_1;
-        slice2other_winner_0_0 <= slice2other_winner_0_1 when (not slice0winner2_tag_output_column) or ((not
-          slice0winner2_tag_first_column) and ((slice2other_cost_0_1 - slice2window_sum_0_0) < 0)) else 0;
-        slice2other_winner_0_1 <= slice1other_winner_out_0 when slice2other_cost_0_1_choice else 1;
+        if slice2other_cost_0_1_choice then
+          slice2other_cost_0_1 <= slice1other_cost_out_0;
+          slice2other_winner_0_1 <= slice1other_winner_out_0;
+        else
+          slice2other_cost_0_1 <= slice2window_sum_0_1;
+          slice2other_winner_0_1 <= 1;
+        end if;
+        if (not slice0winner2_tag_output_column) or ((not slice0winner2_tag_first_column) and ((slice2other_cost_0_1 -
+          slice2window_sum_0_0) < 0)) then
+          slice2other_winner_0_0 <= slice2other_winner_0_1;
+        else
+          slice2other_winner_0_0 <= 0;
+        end if;
       end if;
       slice2other_winner_out_0 <= slice2other_winner_0_0;
       -- slice2winner1
       slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_held_0_0 <= slice2window_sum_0_0;
       slice2winner1_held_0_1 <= slice2window_sum_0_1;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_below_0_0 <= slice2window_sum_0_0 when slice2winner1_best_cost_0_0_is_less else 0;
-      slice2winner1_best_above_0_0 <= 0 when slice2winner1_best_cost_0_0_is_less else slice2window_sum_0_1;
       slice2winner1_best_late_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner1_best_but_last_0_0 <= slice2winner1_held_0_0;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+        slice2winner1_best_below_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_above_0_0 <= 0;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_below_0_0 <= 0;
+        slice2winner1_best_above_0_0 <= slice2window_sum_0_1;
+      end if;
       -- slice2winner2
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
       slice2winner2_best_below_0_0 <= slice2winner1_best_below_0_0;
@@ -1496,48 +1935,89 @@ begin
       -- slice2
       slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner1_best_late_cost_0_0) < 0;
       slice2_best_below_0_0_is_equal := slice1_best_index_0_0 = 2;
-      slice2_best_below_0_0_choice := slice2winner2_best_last_0_0 when slice2_best_below_0_0_is_equal else
-        slice1_best_below_0_0;
-      slice2_best_above_0_0_choice := slice1_best_first_0_0 when slice2winner2_best_index_0_0 else
-        slice2winner2_best_above_0_0;
-      slice2_best_second_0_0_choice := slice1_best_second_0_0 when slice2_best_place_0_0 else slice1_best_late_cost_0_0;
-      slice2_best_second_0_0_choice_2 := slice1_best_but_first_0_0 when slice2_best_at_end_0_0 else
-        slice2_best_second_0_0_choice;
-      slice2_best_second_0_0_choice_3 := slice2winner2_best_late_cost_0_0 when slice2_best_place_0_0 else 4095;
-      slice2_best_second_0_0_choice_4 := slice2winner2_best_but_last_0_0 when slice2_best_at_start_0_0 else
-        slice2_best_second_0_0_choice_3;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner1_best_late_cost_0_0;
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        as_number(slice2winner2_best_index_0_0);
-      slice2_best_below_0_0 <= slice2_best_below_0_0_choice when slice2_best_cost_0_0_is_less else
-        slice2winner2_best_below_0_0;
-      slice2_best_above_0_0 <= slice1_best_above_0_0 when slice2_best_cost_0_0_is_less else
-        slice2_best_above_0_0_choice;
+      if slice2_best_below_0_0_is_equal then
+        slice2_best_below_0_0_choice := slice2winner2_best_last_0_0;
+      else
+        slice2_best_below_0_0_choice := slice1_best_below_0_0;
+      end if;
+      if slice2winner2_best_index_0_0 then
+        slice2_best_above_0_0_choice := slice1_best_first_0_0;
+      else
+        slice2_best_above_0_0_choice := slice2winner2_best_above_0_0;
+      end if;
+      if slice2_best_place_0_0 then
+        slice2_best_second_0_0_choice := slice1_best_second_0_0;
+      else
+        slice2_best_second_0_0_choice := slice1_best_late_cost_0_0;
+      end if;
+      if slice2_best_at_end_0_0 then
+        slice2_best_second_0_0_choice_2 := slice1_best_but_first_0_0;
+      else
+        slice2_best_second_0_0_choice_2 := slice2_best_second_0_0_choice;
+      end if;
+      if slice2_best_place_0_0 then
+        slice2_best_second_0_0_choice_3 := slice2winner2_best_late_cost_0_0;
+      else
+        slice2_best_second_0_0_choice_3 := 4095;
+      end if;
+      if slice2_best_at_start_0_0 then
+        slice2_best_second_0_0_choice_4 := slice2winner2_best_but_last_0_0;
+      else
+        slice2_best_second_0_0_choice_4 := slice2_best_second_0_0_choice_3;
+      end if;
       slice2_best_place_0_0 <= slice2_best_cost_0_0_is_less;
       slice2_best_at_start_0_0 <= slice2_best_below_0_0_is_equal and slice2_best_cost_0_0_is_less;
       slice2_best_at_end_0_0 <= slice2winner2_best_index_0_0 and ((slice1_best_cost_0_0 -
         slice2winner1_best_late_cost_0_0) >= 0);
       slice2_best_late_cost_0_0 <= slice2_best_cost_0_0;
-      slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2 when (slice2_best_second_0_0_choice_2 -
-        slice2_best_second_0_0_choice_4) < 0 else slice2_best_second_0_0_choice_4;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_map_column <= slice1_best_tag_map_column;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if slice2_best_cost_0_0_is_less then
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+        slice2_best_below_0_0 <= slice2_best_below_0_0_choice;
+        slice2_best_above_0_0 <= slice1_best_above_0_0;
+      else
+        slice2_best_cost_0_0 <= slice2winner1_best_late_cost_0_0;
+        slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0);
+        slice2_best_below_0_0 <= slice2winner2_best_below_0_0;
+        slice2_best_above_0_0 <= slice2_best_above_0_0_choice;
+      end if;
+      if (slice2_best_second_0_0_choice_2 - slice2_best_second_0_0_choice_4) < 0 then
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2;
+      else
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_4;
+      end if;
       -- texture
-      texture_taps_search_0_0 <= 31 when rows_inside_0 else 0;
-      texture_taps_search_1_0 <= 31 when rows_inside_1 else 0;
       texture_passes_0_0 <= 99 < texturewindow_sum_0_0;
       texture_passes_1_0 <= texture_passes_0_0;
       texture_passes_2_0 <= texture_passes_1_0;
       texture_passes_3_0 <= texture_passes_2_0;
       texture_passes_4_0 <= texture_passes_3_0;
+      if rows_inside_0 then
+        texture_taps_search_0_0 <= 31;
+      else
+        texture_taps_search_0_0 <= 0;
+      end if;
+      if rows_inside_1 then
+        texture_taps_search_1_0 <= 31;
+      else
+        texture_taps_search_1_0 <= 0;
+      end if;
       -- texturecost
-      texturecost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else texturecost_ready_words_0;
-      texturecost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (texturecost_column_0_0_choice
-        + texturecost_change_0_0) mod 512;
+      if slice0cost_ready_tag_first_group then
+        texturecost_column_0_0_choice := 0;
+      else
+        texturecost_column_0_0_choice := texturecost_ready_words_0;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        texturecost_column_0_0_choice_2 := 0;
+      else
+        texturecost_column_0_0_choice_2 := (texturecost_column_0_0_choice + texturecost_change_0_0) mod 512;
+      end if;
       texturecost_pixels_first_0_0 <= texture_taps_search_0_0 - slice0shift_reference_0;
       texturecost_pixels_first_1_0 <= texture_taps_search_1_0 - slice0shift_reference_1;
       texturecost_pixels_cost_0_0 <= folded(texturecost_pixels_first_0_0) + as_number((texturecost_pixels_first_0_0 <
@@ -1558,7 +2038,11 @@ begin
       end if;
       texturewindow_entering_0_0 <= texturecost_column_0_0;
       texturewindow_change_0_0 <= texturewindow_entering_0_0 - texturewindow_change_0_0_choice;
-      texturewindow_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else texturewindow_sum_0_0;
+      if slice0window_change_tag_first_cost then
+        texturewindow_sum_0_0_choice := 0;
+      else
+        texturewindow_sum_0_0_choice := texturewindow_sum_0_0;
+      end if;
       if slice0window_change_tag_valid then
         texturewindow_sum_0_0 <= (texturewindow_sum_0_0_choice + texturewindow_change_0_0) mod 4096;
       end if;
@@ -1571,7 +2055,11 @@ begin
       refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 8192) - refinement_divisor_5_0;
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 8192) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -1599,8 +2087,6 @@ begin
       refinement_passed_0_0 <= texture_passes_4_0;
       refinement_passed_1_0 <= refinement_passed_0_0;
       refinement_passed_2_0 <= refinement_passed_1_0;
-      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_0 else refinement_passed_2_0 and
-        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
       refinement_passed_6_0 <= refinement_passed_5_0;
@@ -1675,26 +2161,10 @@ begin
       refinement_lowest_0 <= slice2_best_late_cost_0_0;
       refinement_scaled_gap_0 <= (((refinement_gap_0 + (refinement_gap_0 / 4)) * 4) + (refinement_gap_0 mod 4)) * 2;
       refinement_scaled_cost_0 <= refinement_lowest_0;
-      refinement_below_0 <= slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else slice2_best_below_0_0;
-      refinement_above_0 <= slice2_best_below_0_0 when slice2_best_index_0_0 = 7 else slice2_best_above_0_0;
       refinement_u_0 <= (refinement_below_0 - slice2_best_late_cost_0_0) mod 4096;
       refinement_v_0 <= (refinement_above_0 - slice2_best_late_cost_0_0) mod 4096;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 4096 when
-        (refinement_remainder_1_0_difference / 8192) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096 when
-        (refinement_remainder_2_0_difference / 8192) = 1 else (refinement_remainder_1_0 mod 2048) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096 when
-        (refinement_remainder_3_0_difference / 8192) = 1 else (refinement_remainder_2_0 mod 2048) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096 when
-        (refinement_remainder_4_0_difference / 8192) = 1 else (refinement_remainder_3_0 mod 2048) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096 when
-        (refinement_remainder_5_0_difference / 8192) = 1 else (refinement_remainder_4_0 mod 2048) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096 when
-        (refinement_remainder_6_0_difference / 8192) = 1 else (refinement_remainder_5_0 mod 2048) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096 when
-        (refinement_remainder_7_0_difference / 8192) = 1 else (refinement_remainder_6_0 mod 2048) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 12)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 12))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
@@ -1716,22 +2186,81 @@ begin
       refinement_negative_7_0 <= refinement_negative_6_0;
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 4) * 8) + refinement_fraction_0_choice_2;
+      if refinement_alone_1_0 then
+        refinement_passed_3_0 <= refinement_passed_2_0;
+      else
+        refinement_passed_3_0 <= refinement_passed_2_0 and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      end if;
+      if slice2_best_index_0_0 = 0 then
+        refinement_below_0 <= slice2_best_above_0_0;
+      else
+        refinement_below_0 <= slice2_best_below_0_0;
+      end if;
+      if slice2_best_index_0_0 = 7 then
+        refinement_above_0 <= slice2_best_below_0_0;
+      else
+        refinement_above_0 <= slice2_best_above_0_0;
+      end if;
+      if (refinement_remainder_1_0_difference / 8192) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 4096;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_2_0_difference / 8192) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 8192) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 8192) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 8192) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 8192) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 8192) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 2048) * 2;
+      end if;
       -- leftright
       leftright_holds_winners_all := (not leftright_holds_winners) and (((leftright_ring_read_address / 4) = 1) or
         (((leftright_ring_read_address / 2) mod 2) = 1) or ((leftright_ring_read_address mod 2) = 1));
       leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
       leftright_checked_tag_row_start_is_equal := map_counter_column = 22;
-      leftright_checked_tag_row_start_choice := leftright_checked_tag_row_start and ((map_counter_group mod 2) = 1)
-        when (map_counter_group / 2) = 6 else leftright_checked_tag_row_start;
-      leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start_choice when
-        leftright_checked_tag_row_start_is_equal else leftright_checked_tag_row_start;
+      if (map_counter_group / 2) = 6 then
+        leftright_checked_tag_row_start_choice := leftright_checked_tag_row_start and ((map_counter_group mod 2) = 1);
+      else
+        leftright_checked_tag_row_start_choice := leftright_checked_tag_row_start;
+      end if;
+      if leftright_checked_tag_row_start_is_equal then
+        leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start_choice;
+      else
+        leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start;
+      end if;
       leftright_checked_tag_row_start_is_equal_2 := map_counter_group = 11;
       leftright_checked_tag_row_start_all := leftright_checked_tag_row_start_is_equal and
         leftright_checked_tag_row_start_is_equal_2;
-      leftright_checked_tag_row_start_choice_3 := leftright_checked_tag_row_start_all or (not
-        leftright_checked_tag_start_of_frame) when leftright_checked_tag_row_start_choice_2 else
-        leftright_checked_tag_row_start_is_equal and leftright_checked_tag_row_start_is_equal_2 and
-        leftright_checked_tag_start_of_frame;
+      if leftright_checked_tag_row_start_choice_2 then
+        leftright_checked_tag_row_start_choice_3 := leftright_checked_tag_row_start_all or (not
+          leftright_checked_tag_start_of_frame);
+      else
+        leftright_checked_tag_row_start_choice_3 := leftright_checked_tag_row_start_is_equal and
+          leftright_checked_tag_row_start_is_equal_2 and leftright_checked_tag_start_of_frame;
+      end if;
       leftright_checked_tag_row_start_all_2 := leftright_checked_tag_valid and leftright_checked_tag_map_column;
       leftright_other_1_0 <= slice2other_winner_out_0;
       leftright_other_2_0 <= leftright_other_1_0;
@@ -1746,8 +2275,6 @@ begin
       leftright_other_11_0 <= leftright_other_10_0;
       leftright_other_12_0 <= leftright_other_11_0;
       leftright_other_13_0 <= leftright_other_12_0;
-      leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners when
-        leftright_holds_winners_all else refinement_tag_11_valid or leftright_holds_winners;
       leftright_position <= (leftright_position + as_number(refinement_tag_11_valid)) mod 16;
       leftright_held_position <= leftright_position;
       leftright_held_valid <= (not leftright_holds_winners_all) and refinement_tag_11_valid;
@@ -1771,30 +2298,58 @@ begin
       leftright_checked_passed_0 <= leftright_answered_passed_0 and (leftright_checked_passed_0_difference >= 0) and
         (leftright_checked_passed_0_difference < 3);
       leftright_checked_tag_valid <= leftright_answered_tag_valid;
-      leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_2 when
-        leftright_checked_tag_row_start_choice_3 else leftright_checked_tag_row_start and ((not
-        leftright_checked_tag_valid) or (not leftright_checked_tag_map_column));
       leftright_checked_tag_map_column <= leftright_answered_tag_map_column;
       leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
       leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if leftright_holds_winners_all then
+        leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners;
+      else
+        leftright_holds_winners <= refinement_tag_11_valid or leftright_holds_winners;
+      end if;
+      if leftright_checked_tag_row_start_choice_3 then
+        leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_2;
+      else
+        leftright_checked_tag_row_start <= leftright_checked_tag_row_start and ((not leftright_checked_tag_valid) or
+          (not leftright_checked_tag_map_column));
+      end if;
       if refinement_tag_11_valid then
-        leftright_ring_read_address <= 0 when leftright_ring_read_address = 7 else (leftright_ring_read_address + 1)
-          mod 8;
         leftright_ring_write_address <= leftright_ring_read_address;
+        if leftright_ring_read_address = 7 then
+          leftright_ring_read_address <= 0;
+        else
+          leftright_ring_read_address <= (leftright_ring_read_address + 1) mod 8;
+        end if;
       end if;
       -- map
       if leftright_checked_tag_row_start_all_2 then
-        map_counter_column <= 0 when leftright_checked_tag_row_start_is_equal or leftright_checked_tag_start_of_frame
-          else (map_counter_column + 1) mod 32;
+        if leftright_checked_tag_row_start_is_equal or leftright_checked_tag_start_of_frame then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 32;
+        end if;
       end if;
-      map_counter_group_choice := 3 when leftright_checked_tag_row_start_all else 0;
+      if leftright_checked_tag_row_start_all then
+        map_counter_group_choice := 3;
+      else
+        map_counter_group_choice := 0;
+      end if;
       map_counter_group_is_equal := map_counter_group = 12;
-      map_counter_group_choice_2 := 1 when map_counter_group_is_equal and leftright_checked_tag_row_start else
-        (map_counter_group + 1) mod 16;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when leftright_checked_tag_row_start_is_equal and
-        (((map_counter_group / 2) /= 6) or (not ((map_counter_group mod 2) = 1))) and leftright_checked_tag_valid and
-        leftright_checked_tag_map_column else map_counter_group;
-      map_line_ended_choice := leftright_checked_tag_map_column when leftright_checked_tag_valid else map_line_ended;
+      if map_counter_group_is_equal and leftright_checked_tag_row_start then
+        map_counter_group_choice_2 := 1;
+      else
+        map_counter_group_choice_2 := (map_counter_group + 1) mod 16;
+      end if;
+      if leftright_checked_tag_row_start_is_equal and (((map_counter_group / 2) /= 6) or (not ((map_counter_group mod
+        2) = 1))) and leftright_checked_tag_valid and leftright_checked_tag_map_column then
+        map_counter_group_choice_3 := map_counter_group_choice_2;
+      else
+        map_counter_group_choice_3 := map_counter_group;
+      end if;
+      if leftright_checked_tag_valid then
+        map_line_ended_choice := leftright_checked_tag_map_column;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
@@ -1806,8 +2361,16 @@ begin
       else
         map_of_column_0_c_choice := map_column_2 / 2;
       end if;
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
       if map_of_column_0_c_below_b then
         map_sorted_middle_0_choice := map_of_column_0_b;
       else
@@ -1829,32 +2392,81 @@ begin
         map_sorted_high_0_choice_2 := map_of_column_0_c;
       end if;
       map_window_complete_all := (not map_sorted_arrives) and (not map_sorted_behind);
-      map_window_complete_choice := map_window_complete_all when (map_sorted_column mod 2) = 1 else not
-        map_sorted_behind;
-      map_window_complete_choice_2 := map_window_complete_choice when (map_sorted_column / 2) = 0 else
-        map_window_complete_all;
-      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
-        map_median_middle_0_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_counter_group <= map_counter_group_choice * 4 when leftright_checked_tag_start_of_frame and
-        leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group_choice_3;
+      if (map_sorted_column mod 2) = 1 then
+        map_window_complete_choice := map_window_complete_all;
+      else
+        map_window_complete_choice := not map_sorted_behind;
+      end if;
+      if (map_sorted_column / 2) = 0 then
+        map_window_complete_choice_2 := map_window_complete_choice;
+      else
+        map_window_complete_choice_2 := map_window_complete_all;
+      end if;
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice := map_of_low_0_a;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice_2 := map_of_low_0_b;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_2 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_4 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
       map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
       map_newest_0 <= ((((((((leftright_checked_disparity_0 + 4095) mod 2048) * 2) + (leftright_checked_fraction_0 / 8)
         + 1) mod 4096) * 8) + (leftright_checked_fraction_0 mod 8)) * 2) + as_number(leftright_checked_passed_0);
       map_arrives <= leftright_checked_tag_row_start_all_2;
       map_behind <= map_line_ended and leftright_checked_tag_valid;
-      map_line_ended <= map_line_ended_choice when leftright_checked_tag_end_of_line else map_line_ended and (not
-        leftright_checked_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -1883,12 +2495,6 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
-        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
       map_window_complete <= (not map_window_complete_choice_2) and map_sorted_output;
       map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
       map_window_last <= map_sorted_behind;
@@ -1910,10 +2516,6 @@ begin
       map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
-        map_median_middle_0_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
@@ -1932,29 +2534,90 @@ begin
       map_waiting_passed_0_0 <= map_passed_1_0;
       map_waiting_passed_1_0 <= map_waiting_passed_0_0;
       map_waiting_passed_2_0 <= map_waiting_passed_1_0;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_map_column then
+        map_counter_group <= map_counter_group_choice * 4;
+      else
+        map_counter_group <= map_counter_group_choice_3;
+      end if;
+      if leftright_checked_tag_end_of_line then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= map_line_ended and (not leftright_checked_tag_valid);
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_passed_0_0 then
+        map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind;
+      else
+        map_passed_1_0 <= map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      end if;
+      if map_of_low_0_b_below_a then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
         map_at_column <= to_integer(other_1(4 downto 0));
       end if;
-      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_0_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
       map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
-      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_0_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
       if not map_window_complete_all then
         map_low_0_0 <= map_low_0_0_choice;
-        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
         map_middle_0_0 <= map_middle_0_0_choice;
-        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
         map_high_0_0 <= map_high_0_0_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
+        if map_low_1_0_all then
+          map_low_1_0 <= map_low_0_0_choice;
+          map_middle_1_0 <= map_middle_0_0_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+        else
+          map_low_1_0 <= map_low_0_0;
+          map_middle_1_0 <= map_middle_0_0;
+          map_high_1_0 <= map_high_0_0;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;

@@ -434,107 +434,167 @@ architecture rtl of stereo_core_tiny_census_p2 is
   signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
   signal slice2_best_tag_end_of_line : boolean;
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_2_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_2_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_2_memory_write_data : unsigned(19 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(19 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(19 downto 0);
+  signal rows_reference_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_2_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_2_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_2_memory_write_data : unsigned(19 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(19 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(19 downto 0);
+  signal delay_delayed_1_memory_read_enable : boolean;
+  signal delay_delayed_1_memory_read_address : unsigned(2 downto 0);
+  signal delay_delayed_1_memory_write_address : unsigned(2 downto 0);
   signal delay_delayed_1_memory_write_data : unsigned(19 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(2 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(2 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(19 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(slice2_best_index_1_0, 8) & to_unsigned(slice2_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(3, 2));
   disparity_valid <= as_bit(slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 24);
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 24);
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_2_memory_read_enable <= true;
+  rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words_2, 20);
   rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 32, width => 20)
+    generic map (depth => 32, width => 20, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
+      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words_2,
+      write_address => rows_search_rows_read_words_2_memory_write_address, write_data => rows_search_rows_read_words_2_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 20);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 20)
+    generic map (depth => 32, width => 20, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 20);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 20)
+    generic map (depth => 32, width => 20, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_2_memory_read_enable <= true;
+  rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words_2, 20);
   rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 32, width => 20)
+    generic map (depth => 32, width => 20, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
+      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words_2,
+      write_address => rows_reference_rows_read_words_2_memory_write_address, write_data => rows_reference_rows_read_words_2_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 20);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 20)
+    generic map (depth => 32, width => 20, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 20);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 20)
+    generic map (depth => 32, width => 20, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_1_memory_read_enable <= true;
+  delay_delayed_1_memory_read_address <= to_unsigned(delay_ring_read_address, 3);
+  delay_delayed_1_memory_write_address <= to_unsigned(delay_ring_write_address, 3);
   delay_delayed_1_memory_write_data <= to_unsigned(raster_features_reference_1, 20);
   delay_delayed_1_memory : entity work.line_memory
-    generic map (depth => 8, width => 20)
+    generic map (depth => 8, width => 20, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_1,
-      write_address => delay_ring_write_address, write_data => delay_delayed_1_memory_write_data);
+      clock => clock, read_enable => delay_delayed_1_memory_read_enable,
+      read_address => delay_delayed_1_memory_read_address, read_data => delay_delayed_1,
+      write_address => delay_delayed_1_memory_write_address, write_data => delay_delayed_1_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 3);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 3);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 20);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 20)
+    generic map (depth => 8, width => 20, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_all : boolean;
@@ -1161,14 +1221,27 @@ begin
       -- transform
       transform_counter_group_is_equal := transform_counter_column = 31;
       transform_counter_group_all := transform_counter_group_is_equal and (transform_counter_group = 5);
-      transform_counter_group_choice := 3 when transform_counter_group_all else 0;
+      if transform_counter_group_all then
+        transform_counter_group_choice := 3;
+      else
+        transform_counter_group_choice := 0;
+      end if;
       transform_counter_group_is_equal_2 := (transform_counter_group / 2) = 3;
-      transform_counter_group_choice_2 := in_valid and (not ((transform_counter_group mod 2) = 1)) when
-        transform_counter_group_is_equal_2 else in_valid;
-      transform_counter_group_choice_3 := 1 when transform_counter_next_frame and (transform_counter_group = 6) else
-        (transform_counter_group + 1) mod 8;
-      transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_is_equal and
-        transform_counter_group_choice_2 else transform_counter_group;
+      if transform_counter_group_is_equal_2 then
+        transform_counter_group_choice_2 := in_valid and (not ((transform_counter_group mod 2) = 1));
+      else
+        transform_counter_group_choice_2 := in_valid;
+      end if;
+      if transform_counter_next_frame and (transform_counter_group = 6) then
+        transform_counter_group_choice_3 := 1;
+      else
+        transform_counter_group_choice_3 := (transform_counter_group + 1) mod 8;
+      end if;
+      if transform_counter_group_is_equal and transform_counter_group_choice_2 then
+        transform_counter_group_choice_4 := transform_counter_group_choice_3;
+      else
+        transform_counter_group_choice_4 := transform_counter_group;
+      end if;
       transform_read_row_inside_0_value := ((transform_counter_group / 2) mod 2) = 1;
       transform_read_row_inside_0_any := ((transform_counter_group / 4) = 1) or transform_read_row_inside_0_value;
       transform_read_row_inside_1_any := (not ((transform_counter_group / 4) = 1)) or (not
@@ -1180,526 +1253,1096 @@ begin
         transform_read_column_inside_1_is_equal;
       transform_read_column_inside_1_is_equal_2 := (transform_counter_column mod 4) = 0;
       transform_read_column_inside_1_value := ((transform_counter_column / 2) mod 2) = 1;
-      transform_read_column_inside_1_choice := transform_read_column_inside_1_is_equal_2 when
-        transform_read_column_inside_1_all else transform_read_column_inside_1_value or ((transform_counter_column mod
-        2) = 1);
+      if transform_read_column_inside_1_all then
+        transform_read_column_inside_1_choice := transform_read_column_inside_1_is_equal_2;
+      else
+        transform_read_column_inside_1_choice := transform_read_column_inside_1_value or ((transform_counter_column mod
+          2) = 1);
+      end if;
       transform_left_filter_feature_0_value := ((transform_left_filter_column_3_1 / 2) mod 2) = 1;
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
         ((transform_left_filter_column_3_1 mod 2) = 1));
-      transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_6_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      if (transform_left_filter_column_6_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
+      end if;
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column_3_1 mod 4) = 0;
-      transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice when
-        ((transform_left_filter_column_6_0 / 2) mod 2) = 1 else ((transform_left_filter_column_6_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
+      if ((transform_left_filter_column_6_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      else
+        transform_left_filter_feature_0_choice_2 := ((transform_left_filter_column_6_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
       transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_3_1 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_2 else (not
-        (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choice_2 then
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
       transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_3_1 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_3 else (not
-        (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      if transform_left_filter_feature_0_choice_3 then
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
       transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_3_1 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_4 else (not
-        (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choice_4 then
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
       transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_3_1 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_5 else (not
-        (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      if transform_left_filter_feature_0_choice_5 then
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
       transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_3_1 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_6 else (not
-        (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_6_0 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_7 else
-        ((transform_left_filter_column_6_0 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      if transform_left_filter_feature_0_choice_6 then
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_7 then
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_6_0 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_6_0 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
       transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_6_1 / 2) mod 2) = 1;
-      transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_6_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9 when
-        transform_left_filter_feature_0_value_7 else ((transform_left_filter_column_6_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_10 else (not
-        (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_11 else (not
-        (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_12 else (not
-        (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_13 else (not
-        (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_14 else (not
-        (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_6_1 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_15 else
-        ((transform_left_filter_column_6_1 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      if (transform_left_filter_column_6_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_9 := not transform_left_filter_feature_0_value;
+      end if;
+      if transform_left_filter_feature_0_value_7 then
+        transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9;
+      else
+        transform_left_filter_feature_0_choice_10 := ((transform_left_filter_column_6_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_10 then
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_11 then
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_12 then
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_13 then
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_14 then
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_15 then
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_6_1 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_6_1 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
       transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_6_2 / 2) mod 2) = 1;
-      transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_6_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17 when
-        transform_left_filter_feature_0_value_8 else ((transform_left_filter_column_6_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_18 else (not
-        (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_19 else (not
-        (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_20 else (not
-        (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_21 else (not
-        (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_22 else (not
-        (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_6_2 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_23 else
-        ((transform_left_filter_column_6_2 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_5_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25 when
-        ((transform_left_filter_column_5_0 / 2) mod 2) = 1 else ((transform_left_filter_column_5_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_26 else (not
-        (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_27 else (not
-        (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_28 else (not
-        (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_29 else (not
-        (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_30 else (not
-        (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_5_0 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_31 else
-        ((transform_left_filter_column_5_0 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      if (transform_left_filter_column_6_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_17 := not transform_left_filter_feature_0_value;
+      end if;
+      if transform_left_filter_feature_0_value_8 then
+        transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17;
+      else
+        transform_left_filter_feature_0_choice_18 := ((transform_left_filter_column_6_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_18 then
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_19 then
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_20 then
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_21 then
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_22 then
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_23 then
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_6_2 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_6_2 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_25 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_5_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25;
+      else
+        transform_left_filter_feature_0_choice_26 := ((transform_left_filter_column_5_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_26 then
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_27 then
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_28 then
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_29 then
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_30 then
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_31 then
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_5_0 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_5_0 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
       transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_5_1 / 2) mod 2) = 1;
-      transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_5_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33 when
-        transform_left_filter_feature_0_value_9 else ((transform_left_filter_column_5_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_34 else (not
-        (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_35 else (not
-        (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_36 else (not
-        (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_37 else (not
-        (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_38 else (not
-        (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_5_1 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_39 else
-        ((transform_left_filter_column_5_1 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      if (transform_left_filter_column_5_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_33 := not transform_left_filter_feature_0_value;
+      end if;
+      if transform_left_filter_feature_0_value_9 then
+        transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33;
+      else
+        transform_left_filter_feature_0_choice_34 := ((transform_left_filter_column_5_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_34 then
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_35 then
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_36 then
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_37 then
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_38 then
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_39 then
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_5_1 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_5_1 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
       transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_5_2 / 2) mod 2) = 1;
-      transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_5_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41 when
-        transform_left_filter_feature_0_value_10 else ((transform_left_filter_column_5_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_42 else (not
-        (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_43 else (not
-        (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_44 else (not
-        (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_45 else (not
-        (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_46 else (not
-        (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_5_2 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_47 else
-        ((transform_left_filter_column_5_2 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49 when
-        ((transform_left_filter_column_4_0 / 2) mod 2) = 1 else ((transform_left_filter_column_4_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_50 else (not
-        (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_51 else (not
-        (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_52 else (not
-        (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_53 else (not
-        (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_54 else (not
-        (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_55 else
-        ((transform_left_filter_column_4_0 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      if (transform_left_filter_column_5_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_41 := not transform_left_filter_feature_0_value;
+      end if;
+      if transform_left_filter_feature_0_value_10 then
+        transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41;
+      else
+        transform_left_filter_feature_0_choice_42 := ((transform_left_filter_column_5_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_42 then
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_43 then
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_44 then
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_45 then
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_46 then
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_47 then
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_5_2 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_5_2 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_49 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49;
+      else
+        transform_left_filter_feature_0_choice_50 := ((transform_left_filter_column_4_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_50 then
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_51 then
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_52 then
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_53 then
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_54 then
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_55 then
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_4_0 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
       transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_4_1 / 2) mod 2) = 1;
-      transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57 when
-        transform_left_filter_feature_0_value_11 else ((transform_left_filter_column_4_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_58 else (not
-        (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_59 else (not
-        (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_60 else (not
-        (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_61 else (not
-        (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_62 else (not
-        (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_63 else
-        ((transform_left_filter_column_4_1 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      if (transform_left_filter_column_4_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_57 := not transform_left_filter_feature_0_value;
+      end if;
+      if transform_left_filter_feature_0_value_11 then
+        transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57;
+      else
+        transform_left_filter_feature_0_choice_58 := ((transform_left_filter_column_4_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_58 then
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_59 then
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_60 then
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_61 then
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_62 then
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_63 then
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_4_1 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
       transform_left_filter_feature_0_value_12 := ((transform_left_filter_column_4_2 / 2) mod 2) = 1;
-      transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65 when
-        transform_left_filter_feature_0_value_12 else ((transform_left_filter_column_4_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_66 else (not
-        (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_67 else (not
-        (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_68 else (not
-        (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_69 else (not
-        (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_70 else (not
-        (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_71 else
-        ((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      if (transform_left_filter_column_4_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_65 := not transform_left_filter_feature_0_value;
+      end if;
+      if transform_left_filter_feature_0_value_12 then
+        transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65;
+      else
+        transform_left_filter_feature_0_choice_66 := ((transform_left_filter_column_4_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_66 then
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_67 then
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_68 then
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_69 then
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_70 then
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_71 then
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_4_2 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
       transform_left_filter_feature_0_value_13 := ((transform_left_filter_column_3_2 / 2) mod 2) = 1;
-      transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73 when
-        transform_left_filter_feature_0_value_13 else ((transform_left_filter_column_3_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_73 := not transform_left_filter_feature_0_value;
+      end if;
+      if transform_left_filter_feature_0_value_13 then
+        transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73;
+      else
+        transform_left_filter_feature_0_choice_74 := ((transform_left_filter_column_3_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
       transform_left_filter_feature_0_value_14 := ((transform_left_filter_column_3_2 / 4) mod 2) = 1;
       transform_left_filter_feature_0_all := (not transform_left_filter_feature_0_value_14) and
         transform_left_filter_feature_0_value_2;
       transform_left_filter_feature_0_any_2 := (not transform_left_filter_feature_0_value_14) or
         transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_75 := transform_left_filter_feature_0_all when
-        transform_left_filter_feature_0_choice_74 else transform_left_filter_feature_0_any_2;
+      if transform_left_filter_feature_0_choice_74 then
+        transform_left_filter_feature_0_choice_75 := transform_left_filter_feature_0_all;
+      else
+        transform_left_filter_feature_0_choice_75 := transform_left_filter_feature_0_any_2;
+      end if;
       transform_left_filter_feature_0_value_15 := ((transform_left_filter_column_3_2 / 8) mod 2) = 1;
       transform_left_filter_feature_0_any_3 := (not transform_left_filter_feature_0_value_15) or
         transform_left_filter_feature_0_value_3;
       transform_left_filter_feature_0_all_2 := (not transform_left_filter_feature_0_value_15) and
         transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_76 := transform_left_filter_feature_0_any_3 when
-        transform_left_filter_feature_0_choice_75 else transform_left_filter_feature_0_all_2;
+      if transform_left_filter_feature_0_choice_75 then
+        transform_left_filter_feature_0_choice_76 := transform_left_filter_feature_0_any_3;
+      else
+        transform_left_filter_feature_0_choice_76 := transform_left_filter_feature_0_all_2;
+      end if;
       transform_left_filter_feature_0_value_16 := ((transform_left_filter_column_3_2 / 16) mod 2) = 1;
       transform_left_filter_feature_0_any_4 := (not transform_left_filter_feature_0_value_16) or
         transform_left_filter_feature_0_value_4;
       transform_left_filter_feature_0_all_3 := (not transform_left_filter_feature_0_value_16) and
         transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_77 := transform_left_filter_feature_0_any_4 when
-        transform_left_filter_feature_0_choice_76 else transform_left_filter_feature_0_all_3;
+      if transform_left_filter_feature_0_choice_76 then
+        transform_left_filter_feature_0_choice_77 := transform_left_filter_feature_0_any_4;
+      else
+        transform_left_filter_feature_0_choice_77 := transform_left_filter_feature_0_all_3;
+      end if;
       transform_left_filter_feature_0_value_17 := ((transform_left_filter_column_3_2 / 32) mod 2) = 1;
       transform_left_filter_feature_0_any_5 := (not transform_left_filter_feature_0_value_17) or
         transform_left_filter_feature_0_value_5;
       transform_left_filter_feature_0_all_4 := (not transform_left_filter_feature_0_value_17) and
         transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_78 := transform_left_filter_feature_0_any_5 when
-        transform_left_filter_feature_0_choice_77 else transform_left_filter_feature_0_all_4;
+      if transform_left_filter_feature_0_choice_77 then
+        transform_left_filter_feature_0_choice_78 := transform_left_filter_feature_0_any_5;
+      else
+        transform_left_filter_feature_0_choice_78 := transform_left_filter_feature_0_all_4;
+      end if;
       transform_left_filter_feature_0_value_18 := ((transform_left_filter_column_3_2 / 64) mod 2) = 1;
       transform_left_filter_feature_0_any_6 := (not transform_left_filter_feature_0_value_18) or
         transform_left_filter_feature_0_value_6;
       transform_left_filter_feature_0_all_5 := (not transform_left_filter_feature_0_value_18) and
         transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_79 := transform_left_filter_feature_0_any_6 when
-        transform_left_filter_feature_0_choice_78 else transform_left_filter_feature_0_all_5;
-      transform_left_filter_feature_0_choice_80 := transform_filtering_0_column_inside_3 when
-        (transform_left_filter_column_3_2 / 128) = 1 else (not ((transform_left_filter_column_3_1 / 128) = 1)) and
-        transform_filtering_0_column_inside_3;
-      transform_left_filter_feature_0_choice_81 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) and transform_filtering_0_column_inside_3 when
-        transform_left_filter_feature_0_choice_79 else transform_left_filter_feature_0_choice_80;
+      if transform_left_filter_feature_0_choice_78 then
+        transform_left_filter_feature_0_choice_79 := transform_left_filter_feature_0_any_6;
+      else
+        transform_left_filter_feature_0_choice_79 := transform_left_filter_feature_0_all_5;
+      end if;
+      if (transform_left_filter_column_3_2 / 128) = 1 then
+        transform_left_filter_feature_0_choice_80 := transform_filtering_0_column_inside_3;
+      else
+        transform_left_filter_feature_0_choice_80 := (not ((transform_left_filter_column_3_1 / 128) = 1)) and
+          transform_filtering_0_column_inside_3;
+      end if;
+      if transform_left_filter_feature_0_choice_79 then
+        transform_left_filter_feature_0_choice_81 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1)) and transform_filtering_0_column_inside_3;
+      else
+        transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_choice_80;
+      end if;
       transform_left_filter_feature_0_value_19 := ((transform_left_filter_column_2_1 / 2) mod 2) = 1;
-      transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_83 := transform_left_filter_feature_0_choice_82 when
-        transform_left_filter_feature_0_value_19 else ((transform_left_filter_column_2_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
+      if (transform_left_filter_column_2_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_82 := not transform_left_filter_feature_0_value;
+      end if;
+      if transform_left_filter_feature_0_value_19 then
+        transform_left_filter_feature_0_choice_83 := transform_left_filter_feature_0_choice_82;
+      else
+        transform_left_filter_feature_0_choice_83 := ((transform_left_filter_column_2_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
       transform_left_filter_feature_0_value_20 := ((transform_left_filter_column_2_1 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_84 := (not transform_left_filter_feature_0_value_20) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_83 else (not
-        transform_left_filter_feature_0_value_20) or transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choice_83 then
+        transform_left_filter_feature_0_choice_84 := (not transform_left_filter_feature_0_value_20) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_84 := (not transform_left_filter_feature_0_value_20) or
+          transform_left_filter_feature_0_value_2;
+      end if;
       transform_left_filter_feature_0_value_21 := ((transform_left_filter_column_2_1 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_85 := (not transform_left_filter_feature_0_value_21) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_84 else (not
-        transform_left_filter_feature_0_value_21) and transform_left_filter_feature_0_value_3;
+      if transform_left_filter_feature_0_choice_84 then
+        transform_left_filter_feature_0_choice_85 := (not transform_left_filter_feature_0_value_21) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_85 := (not transform_left_filter_feature_0_value_21) and
+          transform_left_filter_feature_0_value_3;
+      end if;
       transform_left_filter_feature_0_value_22 := ((transform_left_filter_column_2_1 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_86 := (not transform_left_filter_feature_0_value_22) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_85 else (not
-        transform_left_filter_feature_0_value_22) and transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choice_85 then
+        transform_left_filter_feature_0_choice_86 := (not transform_left_filter_feature_0_value_22) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_86 := (not transform_left_filter_feature_0_value_22) and
+          transform_left_filter_feature_0_value_4;
+      end if;
       transform_left_filter_feature_0_value_23 := ((transform_left_filter_column_2_1 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_87 := (not transform_left_filter_feature_0_value_23) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_86 else (not
-        transform_left_filter_feature_0_value_23) and transform_left_filter_feature_0_value_5;
+      if transform_left_filter_feature_0_choice_86 then
+        transform_left_filter_feature_0_choice_87 := (not transform_left_filter_feature_0_value_23) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_87 := (not transform_left_filter_feature_0_value_23) and
+          transform_left_filter_feature_0_value_5;
+      end if;
       transform_left_filter_feature_0_value_24 := ((transform_left_filter_column_2_1 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_88 := (not transform_left_filter_feature_0_value_24) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_87 else (not
-        transform_left_filter_feature_0_value_24) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_89 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_88 else
-        ((transform_left_filter_column_2_1 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      if transform_left_filter_feature_0_choice_87 then
+        transform_left_filter_feature_0_choice_88 := (not transform_left_filter_feature_0_value_24) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_88 := (not transform_left_filter_feature_0_value_24) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_88 then
+        transform_left_filter_feature_0_choice_89 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_89 := ((transform_left_filter_column_2_1 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
       transform_left_filter_feature_0_value_25 := ((transform_left_filter_column_2_2 / 2) mod 2) = 1;
-      transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_91 := transform_left_filter_feature_0_choice_90 when
-        transform_left_filter_feature_0_value_25 else ((transform_left_filter_column_2_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
+      if (transform_left_filter_column_2_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_90 := not transform_left_filter_feature_0_value;
+      end if;
+      if transform_left_filter_feature_0_value_25 then
+        transform_left_filter_feature_0_choice_91 := transform_left_filter_feature_0_choice_90;
+      else
+        transform_left_filter_feature_0_choice_91 := ((transform_left_filter_column_2_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
       transform_left_filter_feature_0_value_26 := ((transform_left_filter_column_2_2 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_92 := (not transform_left_filter_feature_0_value_26) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_91 else (not
-        transform_left_filter_feature_0_value_26) or transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choice_91 then
+        transform_left_filter_feature_0_choice_92 := (not transform_left_filter_feature_0_value_26) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_92 := (not transform_left_filter_feature_0_value_26) or
+          transform_left_filter_feature_0_value_2;
+      end if;
       transform_left_filter_feature_0_value_27 := ((transform_left_filter_column_2_2 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_93 := (not transform_left_filter_feature_0_value_27) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_92 else (not
-        transform_left_filter_feature_0_value_27) and transform_left_filter_feature_0_value_3;
+      if transform_left_filter_feature_0_choice_92 then
+        transform_left_filter_feature_0_choice_93 := (not transform_left_filter_feature_0_value_27) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_93 := (not transform_left_filter_feature_0_value_27) and
+          transform_left_filter_feature_0_value_3;
+      end if;
       transform_left_filter_feature_0_value_28 := ((transform_left_filter_column_2_2 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_94 := (not transform_left_filter_feature_0_value_28) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_93 else (not
-        transform_left_filter_feature_0_value_28) and transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choice_93 then
+        transform_left_filter_feature_0_choice_94 := (not transform_left_filter_feature_0_value_28) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_94 := (not transform_left_filter_feature_0_value_28) and
+          transform_left_filter_feature_0_value_4;
+      end if;
       transform_left_filter_feature_0_value_29 := ((transform_left_filter_column_2_2 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_95 := (not transform_left_filter_feature_0_value_29) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_94 else (not
-        transform_left_filter_feature_0_value_29) and transform_left_filter_feature_0_value_5;
+      if transform_left_filter_feature_0_choice_94 then
+        transform_left_filter_feature_0_choice_95 := (not transform_left_filter_feature_0_value_29) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_95 := (not transform_left_filter_feature_0_value_29) and
+          transform_left_filter_feature_0_value_5;
+      end if;
       transform_left_filter_feature_0_value_30 := ((transform_left_filter_column_2_2 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_96 := (not transform_left_filter_feature_0_value_30) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_95 else (not
-        transform_left_filter_feature_0_value_30) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_97 := ((transform_left_filter_column_2_2 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_96 else
-        ((transform_left_filter_column_2_2 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_99 := transform_left_filter_feature_0_choice_98 when
-        ((transform_left_filter_column_2_0 / 2) mod 2) = 1 else ((transform_left_filter_column_2_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_99 else (not
-        (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_100 else (not
-        (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_101 else (not
-        (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_102 else (not
-        (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_104 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_103 else (not
-        (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_105 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_104 else
-        ((transform_left_filter_column_2_0 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      if transform_left_filter_feature_0_choice_95 then
+        transform_left_filter_feature_0_choice_96 := (not transform_left_filter_feature_0_value_30) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_96 := (not transform_left_filter_feature_0_value_30) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_96 then
+        transform_left_filter_feature_0_choice_97 := ((transform_left_filter_column_2_2 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_97 := ((transform_left_filter_column_2_2 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_98 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_99 := transform_left_filter_feature_0_choice_98;
+      else
+        transform_left_filter_feature_0_choice_99 := ((transform_left_filter_column_2_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_99 then
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_100 then
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_101 then
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_102 then
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_103 then
+        transform_left_filter_feature_0_choice_104 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_104 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_104 then
+        transform_left_filter_feature_0_choice_105 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_105 := ((transform_left_filter_column_2_0 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
       transform_left_filter_feature_0_value_31 := ((transform_left_filter_column_1_1 / 2) mod 2) = 1;
-      transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_107 := transform_left_filter_feature_0_choice_106 when
-        transform_left_filter_feature_0_value_31 else ((transform_left_filter_column_1_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
+      if (transform_left_filter_column_1_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_106 := not transform_left_filter_feature_0_value;
+      end if;
+      if transform_left_filter_feature_0_value_31 then
+        transform_left_filter_feature_0_choice_107 := transform_left_filter_feature_0_choice_106;
+      else
+        transform_left_filter_feature_0_choice_107 := ((transform_left_filter_column_1_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
       transform_left_filter_feature_0_value_32 := ((transform_left_filter_column_1_1 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_108 := (not transform_left_filter_feature_0_value_32) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_107 else (not
-        transform_left_filter_feature_0_value_32) or transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choice_107 then
+        transform_left_filter_feature_0_choice_108 := (not transform_left_filter_feature_0_value_32) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_108 := (not transform_left_filter_feature_0_value_32) or
+          transform_left_filter_feature_0_value_2;
+      end if;
       transform_left_filter_feature_0_value_33 := ((transform_left_filter_column_1_1 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_109 := (not transform_left_filter_feature_0_value_33) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_108 else (not
-        transform_left_filter_feature_0_value_33) and transform_left_filter_feature_0_value_3;
+      if transform_left_filter_feature_0_choice_108 then
+        transform_left_filter_feature_0_choice_109 := (not transform_left_filter_feature_0_value_33) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_109 := (not transform_left_filter_feature_0_value_33) and
+          transform_left_filter_feature_0_value_3;
+      end if;
       transform_left_filter_feature_0_value_34 := ((transform_left_filter_column_1_1 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_110 := (not transform_left_filter_feature_0_value_34) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_109 else (not
-        transform_left_filter_feature_0_value_34) and transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choice_109 then
+        transform_left_filter_feature_0_choice_110 := (not transform_left_filter_feature_0_value_34) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_110 := (not transform_left_filter_feature_0_value_34) and
+          transform_left_filter_feature_0_value_4;
+      end if;
       transform_left_filter_feature_0_value_35 := ((transform_left_filter_column_1_1 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_111 := (not transform_left_filter_feature_0_value_35) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_110 else (not
-        transform_left_filter_feature_0_value_35) and transform_left_filter_feature_0_value_5;
+      if transform_left_filter_feature_0_choice_110 then
+        transform_left_filter_feature_0_choice_111 := (not transform_left_filter_feature_0_value_35) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_111 := (not transform_left_filter_feature_0_value_35) and
+          transform_left_filter_feature_0_value_5;
+      end if;
       transform_left_filter_feature_0_value_36 := ((transform_left_filter_column_1_1 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_112 := (not transform_left_filter_feature_0_value_36) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_111 else (not
-        transform_left_filter_feature_0_value_36) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_113 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_112 else
-        ((transform_left_filter_column_1_1 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      if transform_left_filter_feature_0_choice_111 then
+        transform_left_filter_feature_0_choice_112 := (not transform_left_filter_feature_0_value_36) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_112 := (not transform_left_filter_feature_0_value_36) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_112 then
+        transform_left_filter_feature_0_choice_113 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_113 := ((transform_left_filter_column_1_1 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
       transform_left_filter_feature_0_value_37 := ((transform_left_filter_column_1_2 / 2) mod 2) = 1;
-      transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_115 := transform_left_filter_feature_0_choice_114 when
-        transform_left_filter_feature_0_value_37 else ((transform_left_filter_column_1_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
+      if (transform_left_filter_column_1_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_114 := not transform_left_filter_feature_0_value;
+      end if;
+      if transform_left_filter_feature_0_value_37 then
+        transform_left_filter_feature_0_choice_115 := transform_left_filter_feature_0_choice_114;
+      else
+        transform_left_filter_feature_0_choice_115 := ((transform_left_filter_column_1_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
       transform_left_filter_feature_0_value_38 := ((transform_left_filter_column_1_2 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_116 := (not transform_left_filter_feature_0_value_38) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_115 else (not
-        transform_left_filter_feature_0_value_38) or transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choice_115 then
+        transform_left_filter_feature_0_choice_116 := (not transform_left_filter_feature_0_value_38) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_116 := (not transform_left_filter_feature_0_value_38) or
+          transform_left_filter_feature_0_value_2;
+      end if;
       transform_left_filter_feature_0_value_39 := ((transform_left_filter_column_1_2 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_117 := (not transform_left_filter_feature_0_value_39) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_116 else (not
-        transform_left_filter_feature_0_value_39) and transform_left_filter_feature_0_value_3;
+      if transform_left_filter_feature_0_choice_116 then
+        transform_left_filter_feature_0_choice_117 := (not transform_left_filter_feature_0_value_39) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_117 := (not transform_left_filter_feature_0_value_39) and
+          transform_left_filter_feature_0_value_3;
+      end if;
       transform_left_filter_feature_0_value_40 := ((transform_left_filter_column_1_2 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_118 := (not transform_left_filter_feature_0_value_40) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_117 else (not
-        transform_left_filter_feature_0_value_40) and transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choice_117 then
+        transform_left_filter_feature_0_choice_118 := (not transform_left_filter_feature_0_value_40) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_118 := (not transform_left_filter_feature_0_value_40) and
+          transform_left_filter_feature_0_value_4;
+      end if;
       transform_left_filter_feature_0_value_41 := ((transform_left_filter_column_1_2 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_119 := (not transform_left_filter_feature_0_value_41) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_118 else (not
-        transform_left_filter_feature_0_value_41) and transform_left_filter_feature_0_value_5;
+      if transform_left_filter_feature_0_choice_118 then
+        transform_left_filter_feature_0_choice_119 := (not transform_left_filter_feature_0_value_41) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_119 := (not transform_left_filter_feature_0_value_41) and
+          transform_left_filter_feature_0_value_5;
+      end if;
       transform_left_filter_feature_0_value_42 := ((transform_left_filter_column_1_2 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_120 := (not transform_left_filter_feature_0_value_42) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_119 else (not
-        transform_left_filter_feature_0_value_42) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_121 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_120 else
-        ((transform_left_filter_column_1_2 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_123 := transform_left_filter_feature_0_choice_122 when
-        ((transform_left_filter_column_1_0 / 2) mod 2) = 1 else ((transform_left_filter_column_1_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_123 else (not
-        (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_124 else (not
-        (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_125 else (not
-        (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_126 else (not
-        (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_128 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_127 else (not
-        (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_129 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_128 else
-        ((transform_left_filter_column_1_0 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      if transform_left_filter_feature_0_choice_119 then
+        transform_left_filter_feature_0_choice_120 := (not transform_left_filter_feature_0_value_42) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_120 := (not transform_left_filter_feature_0_value_42) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_120 then
+        transform_left_filter_feature_0_choice_121 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_121 := ((transform_left_filter_column_1_2 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_122 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_123 := transform_left_filter_feature_0_choice_122;
+      else
+        transform_left_filter_feature_0_choice_123 := ((transform_left_filter_column_1_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_123 then
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_124 then
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_125 then
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_126 then
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_127 then
+        transform_left_filter_feature_0_choice_128 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_128 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_128 then
+        transform_left_filter_feature_0_choice_129 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_129 := ((transform_left_filter_column_1_0 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
       transform_left_filter_feature_0_value_43 := ((transform_left_filter_column_0_1 / 2) mod 2) = 1;
-      transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_131 := transform_left_filter_feature_0_choice_130 when
-        transform_left_filter_feature_0_value_43 else ((transform_left_filter_column_0_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
+      if (transform_left_filter_column_0_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_130 := not transform_left_filter_feature_0_value;
+      end if;
+      if transform_left_filter_feature_0_value_43 then
+        transform_left_filter_feature_0_choice_131 := transform_left_filter_feature_0_choice_130;
+      else
+        transform_left_filter_feature_0_choice_131 := ((transform_left_filter_column_0_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
       transform_left_filter_feature_0_value_44 := ((transform_left_filter_column_0_1 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_132 := (not transform_left_filter_feature_0_value_44) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_131 else (not
-        transform_left_filter_feature_0_value_44) or transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choice_131 then
+        transform_left_filter_feature_0_choice_132 := (not transform_left_filter_feature_0_value_44) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_132 := (not transform_left_filter_feature_0_value_44) or
+          transform_left_filter_feature_0_value_2;
+      end if;
       transform_left_filter_feature_0_value_45 := ((transform_left_filter_column_0_1 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_133 := (not transform_left_filter_feature_0_value_45) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_132 else (not
-        transform_left_filter_feature_0_value_45) and transform_left_filter_feature_0_value_3;
+      if transform_left_filter_feature_0_choice_132 then
+        transform_left_filter_feature_0_choice_133 := (not transform_left_filter_feature_0_value_45) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_133 := (not transform_left_filter_feature_0_value_45) and
+          transform_left_filter_feature_0_value_3;
+      end if;
       transform_left_filter_feature_0_value_46 := ((transform_left_filter_column_0_1 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_134 := (not transform_left_filter_feature_0_value_46) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_133 else (not
-        transform_left_filter_feature_0_value_46) and transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choice_133 then
+        transform_left_filter_feature_0_choice_134 := (not transform_left_filter_feature_0_value_46) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_134 := (not transform_left_filter_feature_0_value_46) and
+          transform_left_filter_feature_0_value_4;
+      end if;
       transform_left_filter_feature_0_value_47 := ((transform_left_filter_column_0_1 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_135 := (not transform_left_filter_feature_0_value_47) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_134 else (not
-        transform_left_filter_feature_0_value_47) and transform_left_filter_feature_0_value_5;
+      if transform_left_filter_feature_0_choice_134 then
+        transform_left_filter_feature_0_choice_135 := (not transform_left_filter_feature_0_value_47) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_135 := (not transform_left_filter_feature_0_value_47) and
+          transform_left_filter_feature_0_value_5;
+      end if;
       transform_left_filter_feature_0_value_48 := ((transform_left_filter_column_0_1 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_136 := (not transform_left_filter_feature_0_value_48) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_135 else (not
-        transform_left_filter_feature_0_value_48) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_137 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_136 else
-        ((transform_left_filter_column_0_1 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      if transform_left_filter_feature_0_choice_135 then
+        transform_left_filter_feature_0_choice_136 := (not transform_left_filter_feature_0_value_48) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_136 := (not transform_left_filter_feature_0_value_48) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_136 then
+        transform_left_filter_feature_0_choice_137 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_137 := ((transform_left_filter_column_0_1 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
       transform_left_filter_feature_0_value_49 := ((transform_left_filter_column_0_2 / 2) mod 2) = 1;
-      transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_139 := transform_left_filter_feature_0_choice_138 when
-        transform_left_filter_feature_0_value_49 else ((transform_left_filter_column_0_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
+      if (transform_left_filter_column_0_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_138 := not transform_left_filter_feature_0_value;
+      end if;
+      if transform_left_filter_feature_0_value_49 then
+        transform_left_filter_feature_0_choice_139 := transform_left_filter_feature_0_choice_138;
+      else
+        transform_left_filter_feature_0_choice_139 := ((transform_left_filter_column_0_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
       transform_left_filter_feature_0_value_50 := ((transform_left_filter_column_0_2 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_140 := (not transform_left_filter_feature_0_value_50) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_139 else (not
-        transform_left_filter_feature_0_value_50) or transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choice_139 then
+        transform_left_filter_feature_0_choice_140 := (not transform_left_filter_feature_0_value_50) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_140 := (not transform_left_filter_feature_0_value_50) or
+          transform_left_filter_feature_0_value_2;
+      end if;
       transform_left_filter_feature_0_value_51 := ((transform_left_filter_column_0_2 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_141 := (not transform_left_filter_feature_0_value_51) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_140 else (not
-        transform_left_filter_feature_0_value_51) and transform_left_filter_feature_0_value_3;
+      if transform_left_filter_feature_0_choice_140 then
+        transform_left_filter_feature_0_choice_141 := (not transform_left_filter_feature_0_value_51) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_141 := (not transform_left_filter_feature_0_value_51) and
+          transform_left_filter_feature_0_value_3;
+      end if;
       transform_left_filter_feature_0_value_52 := ((transform_left_filter_column_0_2 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_142 := (not transform_left_filter_feature_0_value_52) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_141 else (not
-        transform_left_filter_feature_0_value_52) and transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choice_141 then
+        transform_left_filter_feature_0_choice_142 := (not transform_left_filter_feature_0_value_52) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_142 := (not transform_left_filter_feature_0_value_52) and
+          transform_left_filter_feature_0_value_4;
+      end if;
       transform_left_filter_feature_0_value_53 := ((transform_left_filter_column_0_2 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_143 := (not transform_left_filter_feature_0_value_53) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_142 else (not
-        transform_left_filter_feature_0_value_53) and transform_left_filter_feature_0_value_5;
+      if transform_left_filter_feature_0_choice_142 then
+        transform_left_filter_feature_0_choice_143 := (not transform_left_filter_feature_0_value_53) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_143 := (not transform_left_filter_feature_0_value_53) and
+          transform_left_filter_feature_0_value_5;
+      end if;
       transform_left_filter_feature_0_value_54 := ((transform_left_filter_column_0_2 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_144 := (not transform_left_filter_feature_0_value_54) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_143 else (not
-        transform_left_filter_feature_0_value_54) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_145 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_144 else
-        ((transform_left_filter_column_0_2 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
-      transform_left_filter_feature_0_choice_146 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1) when
-        (transform_left_filter_column_3_1 mod 2) = 1 else (transform_left_filter_column_0_0 mod 4) = 0;
-      transform_left_filter_feature_0_choice_147 := ((transform_left_filter_column_3_1 mod 2) = 1) or (not
-        (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1))
-        when transform_left_filter_feature_0_value else transform_left_filter_feature_0_choice_146;
+      if transform_left_filter_feature_0_choice_143 then
+        transform_left_filter_feature_0_choice_144 := (not transform_left_filter_feature_0_value_54) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_144 := (not transform_left_filter_feature_0_value_54) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_144 then
+        transform_left_filter_feature_0_choice_145 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_145 := ((transform_left_filter_column_0_2 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_146 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1);
+      else
+        transform_left_filter_feature_0_choice_146 := (transform_left_filter_column_0_0 mod 4) = 0;
+      end if;
+      if transform_left_filter_feature_0_value then
+        transform_left_filter_feature_0_choice_147 := ((transform_left_filter_column_3_1 mod 2) = 1) or (not
+          (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1));
+      else
+        transform_left_filter_feature_0_choice_147 := transform_left_filter_feature_0_choice_146;
+      end if;
       transform_left_filter_feature_0_value_55 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_148 := (not transform_left_filter_feature_0_value_2) and
-        transform_left_filter_feature_0_value_55 when transform_left_filter_feature_0_choice_147 else (not
-        transform_left_filter_feature_0_value_2) or transform_left_filter_feature_0_value_55;
+      if transform_left_filter_feature_0_choice_147 then
+        transform_left_filter_feature_0_choice_148 := (not transform_left_filter_feature_0_value_2) and
+          transform_left_filter_feature_0_value_55;
+      else
+        transform_left_filter_feature_0_choice_148 := (not transform_left_filter_feature_0_value_2) or
+          transform_left_filter_feature_0_value_55;
+      end if;
       transform_left_filter_feature_0_value_56 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_149 := (not transform_left_filter_feature_0_value_3) or
-        transform_left_filter_feature_0_value_56 when transform_left_filter_feature_0_choice_148 else (not
-        transform_left_filter_feature_0_value_3) and transform_left_filter_feature_0_value_56;
+      if transform_left_filter_feature_0_choice_148 then
+        transform_left_filter_feature_0_choice_149 := (not transform_left_filter_feature_0_value_3) or
+          transform_left_filter_feature_0_value_56;
+      else
+        transform_left_filter_feature_0_choice_149 := (not transform_left_filter_feature_0_value_3) and
+          transform_left_filter_feature_0_value_56;
+      end if;
       transform_left_filter_feature_0_value_57 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_150 := (not transform_left_filter_feature_0_value_4) or
-        transform_left_filter_feature_0_value_57 when transform_left_filter_feature_0_choice_149 else (not
-        transform_left_filter_feature_0_value_4) and transform_left_filter_feature_0_value_57;
+      if transform_left_filter_feature_0_choice_149 then
+        transform_left_filter_feature_0_choice_150 := (not transform_left_filter_feature_0_value_4) or
+          transform_left_filter_feature_0_value_57;
+      else
+        transform_left_filter_feature_0_choice_150 := (not transform_left_filter_feature_0_value_4) and
+          transform_left_filter_feature_0_value_57;
+      end if;
       transform_left_filter_feature_0_value_58 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_151 := (not transform_left_filter_feature_0_value_5) or
-        transform_left_filter_feature_0_value_58 when transform_left_filter_feature_0_choice_150 else (not
-        transform_left_filter_feature_0_value_5) and transform_left_filter_feature_0_value_58;
+      if transform_left_filter_feature_0_choice_150 then
+        transform_left_filter_feature_0_choice_151 := (not transform_left_filter_feature_0_value_5) or
+          transform_left_filter_feature_0_value_58;
+      else
+        transform_left_filter_feature_0_choice_151 := (not transform_left_filter_feature_0_value_5) and
+          transform_left_filter_feature_0_value_58;
+      end if;
       transform_left_filter_feature_0_value_59 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_152 := (not transform_left_filter_feature_0_value_6) or
-        transform_left_filter_feature_0_value_59 when transform_left_filter_feature_0_choice_151 else (not
-        transform_left_filter_feature_0_value_6) and transform_left_filter_feature_0_value_59;
-      transform_left_filter_feature_0_choice_153 := (not ((transform_left_filter_column_3_1 / 128) = 1)) or
-        ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_152 else (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
+      if transform_left_filter_feature_0_choice_151 then
+        transform_left_filter_feature_0_choice_152 := (not transform_left_filter_feature_0_value_6) or
+          transform_left_filter_feature_0_value_59;
+      else
+        transform_left_filter_feature_0_choice_152 := (not transform_left_filter_feature_0_value_6) and
+          transform_left_filter_feature_0_value_59;
+      end if;
+      if transform_left_filter_feature_0_choice_152 then
+        transform_left_filter_feature_0_choice_153 := (not ((transform_left_filter_column_3_1 / 128) = 1)) or
+          ((transform_left_filter_column_0_0 / 128) = 1);
+      else
+        transform_left_filter_feature_0_choice_153 := (not ((transform_left_filter_column_3_1 / 128) = 1)) and
+          ((transform_left_filter_column_0_0 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_154 := (as_number(transform_left_filter_feature_0_choice_137) * 2) +
           (as_number(transform_left_filter_feature_0_choice_145) * 4) +
@@ -1721,29 +2364,59 @@ begin
       else
         transform_left_filter_feature_0_choice_156 := transform_left_filter_feature_0_choice_155;
       end if;
-      transform_left_filter_feature_0_choice_157 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_158 := transform_left_filter_feature_0_choice_157 when
-        ((transform_left_filter_column_3_0 / 2) mod 2) = 1 else ((transform_left_filter_column_3_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_158 else (not
-        (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_160 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_159 else (not
-        (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_161 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_160 else (not
-        (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_162 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_161 else (not
-        (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_162 else (not
-        (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_164 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
-        ((transform_left_filter_column_3_1 / 128) = 1)) when transform_left_filter_feature_0_choice_163 else
-        ((transform_left_filter_column_3_0 / 128) = 1) or (not ((transform_left_filter_column_3_1 / 128) = 1));
+      if (transform_left_filter_column_3_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_157 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_157 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_158 := transform_left_filter_feature_0_choice_157;
+      else
+        transform_left_filter_feature_0_choice_158 := ((transform_left_filter_column_3_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_158 then
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_159 then
+        transform_left_filter_feature_0_choice_160 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_160 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_160 then
+        transform_left_filter_feature_0_choice_161 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_161 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_161 then
+        transform_left_filter_feature_0_choice_162 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_162 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_162 then
+        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_163 then
+        transform_left_filter_feature_0_choice_164 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_164 := ((transform_left_filter_column_3_0 / 128) = 1) or (not
+          ((transform_left_filter_column_3_1 / 128) = 1));
+      end if;
       if transform_filtering_0_column_inside_3 then
         transform_left_filter_feature_0_choice_165 := transform_left_filter_feature_0_choice_156 +
           (as_number(transform_left_filter_feature_0_choice_164) * 512);
@@ -1768,447 +2441,1019 @@ begin
       end if;
       transform_left_filter_feature_1_any := (not transform_left_filter_feature_0_value_13) or (not
         ((transform_left_filter_column_3_2 mod 2) = 1));
-      transform_left_filter_feature_1_choice := transform_left_filter_feature_1_any when
-        (transform_left_filter_column_6_1 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
+      if (transform_left_filter_column_6_1 mod 2) = 1 then
+        transform_left_filter_feature_1_choice := transform_left_filter_feature_1_any;
+      else
+        transform_left_filter_feature_1_choice := not transform_left_filter_feature_0_value_13;
+      end if;
       transform_left_filter_feature_1_is_equal := (transform_left_filter_column_3_2 mod 4) = 0;
-      transform_left_filter_feature_1_choice_2 := transform_left_filter_feature_1_choice when
-        transform_left_filter_feature_0_value_7 else ((transform_left_filter_column_6_1 mod 2) = 1) and
-        transform_left_filter_feature_1_is_equal;
-      transform_left_filter_feature_1_choice_3 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_2 else (not
-        (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
-      transform_left_filter_feature_1_choice_4 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_3 else (not
-        (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
-      transform_left_filter_feature_1_choice_5 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_4 else (not
-        (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
-      transform_left_filter_feature_1_choice_6 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_5 else (not
-        (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
-      transform_left_filter_feature_1_choice_7 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_6 else (not
-        (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
-      transform_left_filter_feature_1_choice_8 := ((transform_left_filter_column_6_1 / 128) = 1) and (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_7 else
-        ((transform_left_filter_column_6_1 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
-      transform_left_filter_feature_1_choice_9 := transform_left_filter_feature_1_any when
-        (transform_left_filter_column_6_2 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
-      transform_left_filter_feature_1_choice_10 := transform_left_filter_feature_1_choice_9 when
-        transform_left_filter_feature_0_value_8 else ((transform_left_filter_column_6_2 mod 2) = 1) and
-        transform_left_filter_feature_1_is_equal;
-      transform_left_filter_feature_1_choice_11 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_10 else (not
-        (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
-      transform_left_filter_feature_1_choice_12 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_11 else (not
-        (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
-      transform_left_filter_feature_1_choice_13 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_12 else (not
-        (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
-      transform_left_filter_feature_1_choice_14 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_13 else (not
-        (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
-      transform_left_filter_feature_1_choice_15 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_14 else (not
-        (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
-      transform_left_filter_feature_1_choice_16 := ((transform_left_filter_column_6_2 / 128) = 1) and (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_15 else
-        ((transform_left_filter_column_6_2 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
-      transform_left_filter_feature_1_choice_17 := transform_left_filter_feature_1_any when
-        (transform_left_filter_column_6_3 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
-      transform_left_filter_feature_1_choice_18 := transform_left_filter_feature_1_choice_17 when
-        ((transform_left_filter_column_6_3 / 2) mod 2) = 1 else ((transform_left_filter_column_6_3 mod 2) = 1) and
-        transform_left_filter_feature_1_is_equal;
-      transform_left_filter_feature_1_choice_19 := (not (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_18 else (not
-        (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
-      transform_left_filter_feature_1_choice_20 := (not (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_19 else (not
-        (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
-      transform_left_filter_feature_1_choice_21 := (not (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_20 else (not
-        (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
-      transform_left_filter_feature_1_choice_22 := (not (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_21 else (not
-        (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
-      transform_left_filter_feature_1_choice_23 := (not (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_22 else (not
-        (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
-      transform_left_filter_feature_1_choice_24 := ((transform_left_filter_column_6_3 / 128) = 1) and (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_23 else
-        ((transform_left_filter_column_6_3 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
-      transform_left_filter_feature_1_choice_25 := transform_left_filter_feature_1_any when
-        (transform_left_filter_column_5_1 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
-      transform_left_filter_feature_1_choice_26 := transform_left_filter_feature_1_choice_25 when
-        transform_left_filter_feature_0_value_9 else ((transform_left_filter_column_5_1 mod 2) = 1) and
-        transform_left_filter_feature_1_is_equal;
-      transform_left_filter_feature_1_choice_27 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_26 else (not
-        (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
-      transform_left_filter_feature_1_choice_28 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_27 else (not
-        (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
-      transform_left_filter_feature_1_choice_29 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_28 else (not
-        (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
-      transform_left_filter_feature_1_choice_30 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_29 else (not
-        (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
-      transform_left_filter_feature_1_choice_31 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_30 else (not
-        (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
-      transform_left_filter_feature_1_choice_32 := ((transform_left_filter_column_5_1 / 128) = 1) and (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_31 else
-        ((transform_left_filter_column_5_1 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
-      transform_left_filter_feature_1_choice_33 := transform_left_filter_feature_1_any when
-        (transform_left_filter_column_5_2 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
-      transform_left_filter_feature_1_choice_34 := transform_left_filter_feature_1_choice_33 when
-        transform_left_filter_feature_0_value_10 else ((transform_left_filter_column_5_2 mod 2) = 1) and
-        transform_left_filter_feature_1_is_equal;
-      transform_left_filter_feature_1_choice_35 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_34 else (not
-        (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
-      transform_left_filter_feature_1_choice_36 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_35 else (not
-        (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
-      transform_left_filter_feature_1_choice_37 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_36 else (not
-        (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
-      transform_left_filter_feature_1_choice_38 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_37 else (not
-        (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
-      transform_left_filter_feature_1_choice_39 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_38 else (not
-        (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
-      transform_left_filter_feature_1_choice_40 := ((transform_left_filter_column_5_2 / 128) = 1) and (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_39 else
-        ((transform_left_filter_column_5_2 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
-      transform_left_filter_feature_1_choice_41 := transform_left_filter_feature_1_any when
-        (transform_left_filter_column_5_3 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
-      transform_left_filter_feature_1_choice_42 := transform_left_filter_feature_1_choice_41 when
-        ((transform_left_filter_column_5_3 / 2) mod 2) = 1 else ((transform_left_filter_column_5_3 mod 2) = 1) and
-        transform_left_filter_feature_1_is_equal;
-      transform_left_filter_feature_1_choice_43 := (not (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_42 else (not
-        (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
-      transform_left_filter_feature_1_choice_44 := (not (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_43 else (not
-        (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
-      transform_left_filter_feature_1_choice_45 := (not (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_44 else (not
-        (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
-      transform_left_filter_feature_1_choice_46 := (not (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_45 else (not
-        (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
-      transform_left_filter_feature_1_choice_47 := (not (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_46 else (not
-        (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
-      transform_left_filter_feature_1_choice_48 := ((transform_left_filter_column_5_3 / 128) = 1) and (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_47 else
-        ((transform_left_filter_column_5_3 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
-      transform_left_filter_feature_1_choice_49 := transform_left_filter_feature_1_any when
-        (transform_left_filter_column_4_1 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
-      transform_left_filter_feature_1_choice_50 := transform_left_filter_feature_1_choice_49 when
-        transform_left_filter_feature_0_value_11 else ((transform_left_filter_column_4_1 mod 2) = 1) and
-        transform_left_filter_feature_1_is_equal;
-      transform_left_filter_feature_1_choice_51 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_50 else (not
-        (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
-      transform_left_filter_feature_1_choice_52 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_51 else (not
-        (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
-      transform_left_filter_feature_1_choice_53 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_52 else (not
-        (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
-      transform_left_filter_feature_1_choice_54 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_53 else (not
-        (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
-      transform_left_filter_feature_1_choice_55 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_54 else (not
-        (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
-      transform_left_filter_feature_1_choice_56 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_55 else
-        ((transform_left_filter_column_4_1 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
-      transform_left_filter_feature_1_choice_57 := transform_left_filter_feature_1_any when
-        (transform_left_filter_column_4_2 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
-      transform_left_filter_feature_1_choice_58 := transform_left_filter_feature_1_choice_57 when
-        transform_left_filter_feature_0_value_12 else ((transform_left_filter_column_4_2 mod 2) = 1) and
-        transform_left_filter_feature_1_is_equal;
-      transform_left_filter_feature_1_choice_59 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_58 else (not
-        (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
-      transform_left_filter_feature_1_choice_60 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_59 else (not
-        (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
-      transform_left_filter_feature_1_choice_61 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_60 else (not
-        (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
-      transform_left_filter_feature_1_choice_62 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_61 else (not
-        (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
-      transform_left_filter_feature_1_choice_63 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_62 else (not
-        (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
-      transform_left_filter_feature_1_choice_64 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_63 else
-        ((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
-      transform_left_filter_feature_1_choice_65 := transform_left_filter_feature_1_any when
-        (transform_left_filter_column_4_3 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
-      transform_left_filter_feature_1_choice_66 := transform_left_filter_feature_1_choice_65 when
-        ((transform_left_filter_column_4_3 / 2) mod 2) = 1 else ((transform_left_filter_column_4_3 mod 2) = 1) and
-        transform_left_filter_feature_1_is_equal;
-      transform_left_filter_feature_1_choice_67 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_66 else (not
-        (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
-      transform_left_filter_feature_1_choice_68 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_67 else (not
-        (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
-      transform_left_filter_feature_1_choice_69 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_68 else (not
-        (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
-      transform_left_filter_feature_1_choice_70 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_69 else (not
-        (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
-      transform_left_filter_feature_1_choice_71 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_70 else (not
-        (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
-      transform_left_filter_feature_1_choice_72 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_71 else
-        ((transform_left_filter_column_4_3 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
-      transform_left_filter_feature_1_choice_73 := transform_left_filter_feature_1_any when
-        (transform_left_filter_column_3_3 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
-      transform_left_filter_feature_1_choice_74 := transform_left_filter_feature_1_choice_73 when
-        ((transform_left_filter_column_3_3 / 2) mod 2) = 1 else ((transform_left_filter_column_3_3 mod 2) = 1) and
-        transform_left_filter_feature_1_is_equal;
-      transform_left_filter_feature_1_choice_75 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_74 else (not
-        (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
-      transform_left_filter_feature_1_choice_76 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_75 else (not
-        (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
-      transform_left_filter_feature_1_choice_77 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_76 else (not
-        (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
-      transform_left_filter_feature_1_choice_78 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_77 else (not
-        (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
-      transform_left_filter_feature_1_choice_79 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_78 else (not
-        (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
-      transform_left_filter_feature_1_choice_80 := transform_filtering_0_column_inside_3 when
-        (transform_left_filter_column_3_3 / 128) = 1 else (not ((transform_left_filter_column_3_2 / 128) = 1)) and
-        transform_filtering_0_column_inside_3;
-      transform_left_filter_feature_1_choice_81 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) and transform_filtering_0_column_inside_3 when
-        transform_left_filter_feature_1_choice_79 else transform_left_filter_feature_1_choice_80;
-      transform_left_filter_feature_1_choice_82 := not transform_left_filter_feature_0_value_25 when
-        (transform_left_filter_column_3_2 mod 2) = 1 else (transform_left_filter_column_2_2 mod 4) = 0;
-      transform_left_filter_feature_1_choice_83 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
-        transform_left_filter_feature_0_value_25) or (not ((transform_left_filter_column_2_2 mod 2) = 1)) when
-        transform_left_filter_feature_0_value_13 else transform_left_filter_feature_1_choice_82;
-      transform_left_filter_feature_1_choice_84 := (not transform_left_filter_feature_0_value_14) and
-        transform_left_filter_feature_0_value_26 when transform_left_filter_feature_1_choice_83 else (not
-        transform_left_filter_feature_0_value_14) or transform_left_filter_feature_0_value_26;
-      transform_left_filter_feature_1_choice_85 := (not transform_left_filter_feature_0_value_15) or
-        transform_left_filter_feature_0_value_27 when transform_left_filter_feature_1_choice_84 else (not
-        transform_left_filter_feature_0_value_15) and transform_left_filter_feature_0_value_27;
-      transform_left_filter_feature_1_choice_86 := (not transform_left_filter_feature_0_value_16) or
-        transform_left_filter_feature_0_value_28 when transform_left_filter_feature_1_choice_85 else (not
-        transform_left_filter_feature_0_value_16) and transform_left_filter_feature_0_value_28;
-      transform_left_filter_feature_1_choice_87 := (not transform_left_filter_feature_0_value_17) or
-        transform_left_filter_feature_0_value_29 when transform_left_filter_feature_1_choice_86 else (not
-        transform_left_filter_feature_0_value_17) and transform_left_filter_feature_0_value_29;
-      transform_left_filter_feature_1_choice_88 := (not transform_left_filter_feature_0_value_18) or
-        transform_left_filter_feature_0_value_30 when transform_left_filter_feature_1_choice_87 else (not
-        transform_left_filter_feature_0_value_18) and transform_left_filter_feature_0_value_30;
-      transform_left_filter_feature_1_choice_89 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
-        ((transform_left_filter_column_2_2 / 128) = 1) when transform_left_filter_feature_1_choice_88 else (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_2_2 / 128) = 1);
-      transform_left_filter_feature_1_choice_90 := transform_left_filter_feature_1_any when
-        (transform_left_filter_column_2_3 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
-      transform_left_filter_feature_1_choice_91 := transform_left_filter_feature_1_choice_90 when
-        ((transform_left_filter_column_2_3 / 2) mod 2) = 1 else ((transform_left_filter_column_2_3 mod 2) = 1) and
-        transform_left_filter_feature_1_is_equal;
-      transform_left_filter_feature_1_choice_92 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_91 else (not
-        (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
-      transform_left_filter_feature_1_choice_93 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_92 else (not
-        (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
-      transform_left_filter_feature_1_choice_94 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_93 else (not
-        (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
-      transform_left_filter_feature_1_choice_95 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_94 else (not
-        (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
-      transform_left_filter_feature_1_choice_96 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_95 else (not
-        (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
-      transform_left_filter_feature_1_choice_97 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_96 else
-        ((transform_left_filter_column_2_3 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
-      transform_left_filter_feature_1_choice_98 := not transform_left_filter_feature_0_value_19 when
-        (transform_left_filter_column_3_2 mod 2) = 1 else (transform_left_filter_column_2_1 mod 4) = 0;
-      transform_left_filter_feature_1_choice_99 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
-        transform_left_filter_feature_0_value_19) or (not ((transform_left_filter_column_2_1 mod 2) = 1)) when
-        transform_left_filter_feature_0_value_13 else transform_left_filter_feature_1_choice_98;
-      transform_left_filter_feature_1_choice_100 := (not transform_left_filter_feature_0_value_14) and
-        transform_left_filter_feature_0_value_20 when transform_left_filter_feature_1_choice_99 else (not
-        transform_left_filter_feature_0_value_14) or transform_left_filter_feature_0_value_20;
-      transform_left_filter_feature_1_choice_101 := (not transform_left_filter_feature_0_value_15) or
-        transform_left_filter_feature_0_value_21 when transform_left_filter_feature_1_choice_100 else (not
-        transform_left_filter_feature_0_value_15) and transform_left_filter_feature_0_value_21;
-      transform_left_filter_feature_1_choice_102 := (not transform_left_filter_feature_0_value_16) or
-        transform_left_filter_feature_0_value_22 when transform_left_filter_feature_1_choice_101 else (not
-        transform_left_filter_feature_0_value_16) and transform_left_filter_feature_0_value_22;
-      transform_left_filter_feature_1_choice_103 := (not transform_left_filter_feature_0_value_17) or
-        transform_left_filter_feature_0_value_23 when transform_left_filter_feature_1_choice_102 else (not
-        transform_left_filter_feature_0_value_17) and transform_left_filter_feature_0_value_23;
-      transform_left_filter_feature_1_choice_104 := (not transform_left_filter_feature_0_value_18) or
-        transform_left_filter_feature_0_value_24 when transform_left_filter_feature_1_choice_103 else (not
-        transform_left_filter_feature_0_value_18) and transform_left_filter_feature_0_value_24;
-      transform_left_filter_feature_1_choice_105 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
-        ((transform_left_filter_column_2_1 / 128) = 1) when transform_left_filter_feature_1_choice_104 else (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_2_1 / 128) = 1);
-      transform_left_filter_feature_1_choice_106 := not transform_left_filter_feature_0_value_37 when
-        (transform_left_filter_column_3_2 mod 2) = 1 else (transform_left_filter_column_1_2 mod 4) = 0;
-      transform_left_filter_feature_1_choice_107 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
-        transform_left_filter_feature_0_value_37) or (not ((transform_left_filter_column_1_2 mod 2) = 1)) when
-        transform_left_filter_feature_0_value_13 else transform_left_filter_feature_1_choice_106;
-      transform_left_filter_feature_1_choice_108 := (not transform_left_filter_feature_0_value_14) and
-        transform_left_filter_feature_0_value_38 when transform_left_filter_feature_1_choice_107 else (not
-        transform_left_filter_feature_0_value_14) or transform_left_filter_feature_0_value_38;
-      transform_left_filter_feature_1_choice_109 := (not transform_left_filter_feature_0_value_15) or
-        transform_left_filter_feature_0_value_39 when transform_left_filter_feature_1_choice_108 else (not
-        transform_left_filter_feature_0_value_15) and transform_left_filter_feature_0_value_39;
-      transform_left_filter_feature_1_choice_110 := (not transform_left_filter_feature_0_value_16) or
-        transform_left_filter_feature_0_value_40 when transform_left_filter_feature_1_choice_109 else (not
-        transform_left_filter_feature_0_value_16) and transform_left_filter_feature_0_value_40;
-      transform_left_filter_feature_1_choice_111 := (not transform_left_filter_feature_0_value_17) or
-        transform_left_filter_feature_0_value_41 when transform_left_filter_feature_1_choice_110 else (not
-        transform_left_filter_feature_0_value_17) and transform_left_filter_feature_0_value_41;
-      transform_left_filter_feature_1_choice_112 := (not transform_left_filter_feature_0_value_18) or
-        transform_left_filter_feature_0_value_42 when transform_left_filter_feature_1_choice_111 else (not
-        transform_left_filter_feature_0_value_18) and transform_left_filter_feature_0_value_42;
-      transform_left_filter_feature_1_choice_113 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
-        ((transform_left_filter_column_1_2 / 128) = 1) when transform_left_filter_feature_1_choice_112 else (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_1_2 / 128) = 1);
-      transform_left_filter_feature_1_choice_114 := transform_left_filter_feature_1_any when
-        (transform_left_filter_column_1_3 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
-      transform_left_filter_feature_1_choice_115 := transform_left_filter_feature_1_choice_114 when
-        ((transform_left_filter_column_1_3 / 2) mod 2) = 1 else ((transform_left_filter_column_1_3 mod 2) = 1) and
-        transform_left_filter_feature_1_is_equal;
-      transform_left_filter_feature_1_choice_116 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_115 else (not
-        (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
-      transform_left_filter_feature_1_choice_117 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_116 else (not
-        (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
-      transform_left_filter_feature_1_choice_118 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_117 else (not
-        (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
-      transform_left_filter_feature_1_choice_119 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_118 else (not
-        (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
-      transform_left_filter_feature_1_choice_120 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_119 else (not
-        (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
-      transform_left_filter_feature_1_choice_121 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_120 else
-        ((transform_left_filter_column_1_3 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
-      transform_left_filter_feature_1_choice_122 := not transform_left_filter_feature_0_value_31 when
-        (transform_left_filter_column_3_2 mod 2) = 1 else (transform_left_filter_column_1_1 mod 4) = 0;
-      transform_left_filter_feature_1_choice_123 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
-        transform_left_filter_feature_0_value_31) or (not ((transform_left_filter_column_1_1 mod 2) = 1)) when
-        transform_left_filter_feature_0_value_13 else transform_left_filter_feature_1_choice_122;
-      transform_left_filter_feature_1_choice_124 := (not transform_left_filter_feature_0_value_14) and
-        transform_left_filter_feature_0_value_32 when transform_left_filter_feature_1_choice_123 else (not
-        transform_left_filter_feature_0_value_14) or transform_left_filter_feature_0_value_32;
-      transform_left_filter_feature_1_choice_125 := (not transform_left_filter_feature_0_value_15) or
-        transform_left_filter_feature_0_value_33 when transform_left_filter_feature_1_choice_124 else (not
-        transform_left_filter_feature_0_value_15) and transform_left_filter_feature_0_value_33;
-      transform_left_filter_feature_1_choice_126 := (not transform_left_filter_feature_0_value_16) or
-        transform_left_filter_feature_0_value_34 when transform_left_filter_feature_1_choice_125 else (not
-        transform_left_filter_feature_0_value_16) and transform_left_filter_feature_0_value_34;
-      transform_left_filter_feature_1_choice_127 := (not transform_left_filter_feature_0_value_17) or
-        transform_left_filter_feature_0_value_35 when transform_left_filter_feature_1_choice_126 else (not
-        transform_left_filter_feature_0_value_17) and transform_left_filter_feature_0_value_35;
-      transform_left_filter_feature_1_choice_128 := (not transform_left_filter_feature_0_value_18) or
-        transform_left_filter_feature_0_value_36 when transform_left_filter_feature_1_choice_127 else (not
-        transform_left_filter_feature_0_value_18) and transform_left_filter_feature_0_value_36;
-      transform_left_filter_feature_1_choice_129 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
-        ((transform_left_filter_column_1_1 / 128) = 1) when transform_left_filter_feature_1_choice_128 else (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_1_1 / 128) = 1);
-      transform_left_filter_feature_1_choice_130 := not transform_left_filter_feature_0_value_49 when
-        (transform_left_filter_column_3_2 mod 2) = 1 else (transform_left_filter_column_0_2 mod 4) = 0;
-      transform_left_filter_feature_1_choice_131 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
-        transform_left_filter_feature_0_value_49) or (not ((transform_left_filter_column_0_2 mod 2) = 1)) when
-        transform_left_filter_feature_0_value_13 else transform_left_filter_feature_1_choice_130;
-      transform_left_filter_feature_1_choice_132 := (not transform_left_filter_feature_0_value_14) and
-        transform_left_filter_feature_0_value_50 when transform_left_filter_feature_1_choice_131 else (not
-        transform_left_filter_feature_0_value_14) or transform_left_filter_feature_0_value_50;
-      transform_left_filter_feature_1_choice_133 := (not transform_left_filter_feature_0_value_15) or
-        transform_left_filter_feature_0_value_51 when transform_left_filter_feature_1_choice_132 else (not
-        transform_left_filter_feature_0_value_15) and transform_left_filter_feature_0_value_51;
-      transform_left_filter_feature_1_choice_134 := (not transform_left_filter_feature_0_value_16) or
-        transform_left_filter_feature_0_value_52 when transform_left_filter_feature_1_choice_133 else (not
-        transform_left_filter_feature_0_value_16) and transform_left_filter_feature_0_value_52;
-      transform_left_filter_feature_1_choice_135 := (not transform_left_filter_feature_0_value_17) or
-        transform_left_filter_feature_0_value_53 when transform_left_filter_feature_1_choice_134 else (not
-        transform_left_filter_feature_0_value_17) and transform_left_filter_feature_0_value_53;
-      transform_left_filter_feature_1_choice_136 := (not transform_left_filter_feature_0_value_18) or
-        transform_left_filter_feature_0_value_54 when transform_left_filter_feature_1_choice_135 else (not
-        transform_left_filter_feature_0_value_18) and transform_left_filter_feature_0_value_54;
-      transform_left_filter_feature_1_choice_137 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
-        ((transform_left_filter_column_0_2 / 128) = 1) when transform_left_filter_feature_1_choice_136 else (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_0_2 / 128) = 1);
-      transform_left_filter_feature_1_choice_138 := transform_left_filter_feature_1_any when
-        (transform_left_filter_column_0_3 mod 2) = 1 else not transform_left_filter_feature_0_value_13;
-      transform_left_filter_feature_1_choice_139 := transform_left_filter_feature_1_choice_138 when
-        ((transform_left_filter_column_0_3 / 2) mod 2) = 1 else ((transform_left_filter_column_0_3 mod 2) = 1) and
-        transform_left_filter_feature_1_is_equal;
-      transform_left_filter_feature_1_choice_140 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_14 when transform_left_filter_feature_1_choice_139 else (not
-        (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_14;
-      transform_left_filter_feature_1_choice_141 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_15 when transform_left_filter_feature_1_choice_140 else (not
-        (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_15;
-      transform_left_filter_feature_1_choice_142 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_16 when transform_left_filter_feature_1_choice_141 else (not
-        (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_16;
-      transform_left_filter_feature_1_choice_143 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_17 when transform_left_filter_feature_1_choice_142 else (not
-        (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_17;
-      transform_left_filter_feature_1_choice_144 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_18 when transform_left_filter_feature_1_choice_143 else (not
-        (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_18;
-      transform_left_filter_feature_1_choice_145 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) when transform_left_filter_feature_1_choice_144 else
-        ((transform_left_filter_column_0_3 / 128) = 1) or (not ((transform_left_filter_column_3_2 / 128) = 1));
-      transform_left_filter_feature_1_choice_146 := not transform_left_filter_feature_0_value_43 when
-        (transform_left_filter_column_3_2 mod 2) = 1 else (transform_left_filter_column_0_1 mod 4) = 0;
-      transform_left_filter_feature_1_choice_147 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
-        transform_left_filter_feature_0_value_43) or (not ((transform_left_filter_column_0_1 mod 2) = 1)) when
-        transform_left_filter_feature_0_value_13 else transform_left_filter_feature_1_choice_146;
-      transform_left_filter_feature_1_choice_148 := (not transform_left_filter_feature_0_value_14) and
-        transform_left_filter_feature_0_value_44 when transform_left_filter_feature_1_choice_147 else (not
-        transform_left_filter_feature_0_value_14) or transform_left_filter_feature_0_value_44;
-      transform_left_filter_feature_1_choice_149 := (not transform_left_filter_feature_0_value_15) or
-        transform_left_filter_feature_0_value_45 when transform_left_filter_feature_1_choice_148 else (not
-        transform_left_filter_feature_0_value_15) and transform_left_filter_feature_0_value_45;
-      transform_left_filter_feature_1_choice_150 := (not transform_left_filter_feature_0_value_16) or
-        transform_left_filter_feature_0_value_46 when transform_left_filter_feature_1_choice_149 else (not
-        transform_left_filter_feature_0_value_16) and transform_left_filter_feature_0_value_46;
-      transform_left_filter_feature_1_choice_151 := (not transform_left_filter_feature_0_value_17) or
-        transform_left_filter_feature_0_value_47 when transform_left_filter_feature_1_choice_150 else (not
-        transform_left_filter_feature_0_value_17) and transform_left_filter_feature_0_value_47;
-      transform_left_filter_feature_1_choice_152 := (not transform_left_filter_feature_0_value_18) or
-        transform_left_filter_feature_0_value_48 when transform_left_filter_feature_1_choice_151 else (not
-        transform_left_filter_feature_0_value_18) and transform_left_filter_feature_0_value_48;
-      transform_left_filter_feature_1_choice_153 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
-        ((transform_left_filter_column_0_1 / 128) = 1) when transform_left_filter_feature_1_choice_152 else (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_0_1 / 128) = 1);
+      if transform_left_filter_feature_0_value_7 then
+        transform_left_filter_feature_1_choice_2 := transform_left_filter_feature_1_choice;
+      else
+        transform_left_filter_feature_1_choice_2 := ((transform_left_filter_column_6_1 mod 2) = 1) and
+          transform_left_filter_feature_1_is_equal;
+      end if;
+      if transform_left_filter_feature_1_choice_2 then
+        transform_left_filter_feature_1_choice_3 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_14;
+      else
+        transform_left_filter_feature_1_choice_3 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_14;
+      end if;
+      if transform_left_filter_feature_1_choice_3 then
+        transform_left_filter_feature_1_choice_4 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_15;
+      else
+        transform_left_filter_feature_1_choice_4 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_15;
+      end if;
+      if transform_left_filter_feature_1_choice_4 then
+        transform_left_filter_feature_1_choice_5 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_16;
+      else
+        transform_left_filter_feature_1_choice_5 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_16;
+      end if;
+      if transform_left_filter_feature_1_choice_5 then
+        transform_left_filter_feature_1_choice_6 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_17;
+      else
+        transform_left_filter_feature_1_choice_6 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_17;
+      end if;
+      if transform_left_filter_feature_1_choice_6 then
+        transform_left_filter_feature_1_choice_7 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_18;
+      else
+        transform_left_filter_feature_1_choice_7 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_18;
+      end if;
+      if transform_left_filter_feature_1_choice_7 then
+        transform_left_filter_feature_1_choice_8 := ((transform_left_filter_column_6_1 / 128) = 1) and (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      else
+        transform_left_filter_feature_1_choice_8 := ((transform_left_filter_column_6_1 / 128) = 1) or (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_6_2 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_9 := transform_left_filter_feature_1_any;
+      else
+        transform_left_filter_feature_1_choice_9 := not transform_left_filter_feature_0_value_13;
+      end if;
+      if transform_left_filter_feature_0_value_8 then
+        transform_left_filter_feature_1_choice_10 := transform_left_filter_feature_1_choice_9;
+      else
+        transform_left_filter_feature_1_choice_10 := ((transform_left_filter_column_6_2 mod 2) = 1) and
+          transform_left_filter_feature_1_is_equal;
+      end if;
+      if transform_left_filter_feature_1_choice_10 then
+        transform_left_filter_feature_1_choice_11 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_14;
+      else
+        transform_left_filter_feature_1_choice_11 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_14;
+      end if;
+      if transform_left_filter_feature_1_choice_11 then
+        transform_left_filter_feature_1_choice_12 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_15;
+      else
+        transform_left_filter_feature_1_choice_12 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_15;
+      end if;
+      if transform_left_filter_feature_1_choice_12 then
+        transform_left_filter_feature_1_choice_13 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_16;
+      else
+        transform_left_filter_feature_1_choice_13 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_16;
+      end if;
+      if transform_left_filter_feature_1_choice_13 then
+        transform_left_filter_feature_1_choice_14 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_17;
+      else
+        transform_left_filter_feature_1_choice_14 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_17;
+      end if;
+      if transform_left_filter_feature_1_choice_14 then
+        transform_left_filter_feature_1_choice_15 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_18;
+      else
+        transform_left_filter_feature_1_choice_15 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_18;
+      end if;
+      if transform_left_filter_feature_1_choice_15 then
+        transform_left_filter_feature_1_choice_16 := ((transform_left_filter_column_6_2 / 128) = 1) and (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      else
+        transform_left_filter_feature_1_choice_16 := ((transform_left_filter_column_6_2 / 128) = 1) or (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_6_3 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_17 := transform_left_filter_feature_1_any;
+      else
+        transform_left_filter_feature_1_choice_17 := not transform_left_filter_feature_0_value_13;
+      end if;
+      if ((transform_left_filter_column_6_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_1_choice_18 := transform_left_filter_feature_1_choice_17;
+      else
+        transform_left_filter_feature_1_choice_18 := ((transform_left_filter_column_6_3 mod 2) = 1) and
+          transform_left_filter_feature_1_is_equal;
+      end if;
+      if transform_left_filter_feature_1_choice_18 then
+        transform_left_filter_feature_1_choice_19 := (not (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_14;
+      else
+        transform_left_filter_feature_1_choice_19 := (not (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_14;
+      end if;
+      if transform_left_filter_feature_1_choice_19 then
+        transform_left_filter_feature_1_choice_20 := (not (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_15;
+      else
+        transform_left_filter_feature_1_choice_20 := (not (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_15;
+      end if;
+      if transform_left_filter_feature_1_choice_20 then
+        transform_left_filter_feature_1_choice_21 := (not (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_16;
+      else
+        transform_left_filter_feature_1_choice_21 := (not (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_16;
+      end if;
+      if transform_left_filter_feature_1_choice_21 then
+        transform_left_filter_feature_1_choice_22 := (not (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_17;
+      else
+        transform_left_filter_feature_1_choice_22 := (not (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_17;
+      end if;
+      if transform_left_filter_feature_1_choice_22 then
+        transform_left_filter_feature_1_choice_23 := (not (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_18;
+      else
+        transform_left_filter_feature_1_choice_23 := (not (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_18;
+      end if;
+      if transform_left_filter_feature_1_choice_23 then
+        transform_left_filter_feature_1_choice_24 := ((transform_left_filter_column_6_3 / 128) = 1) and (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      else
+        transform_left_filter_feature_1_choice_24 := ((transform_left_filter_column_6_3 / 128) = 1) or (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_1 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_25 := transform_left_filter_feature_1_any;
+      else
+        transform_left_filter_feature_1_choice_25 := not transform_left_filter_feature_0_value_13;
+      end if;
+      if transform_left_filter_feature_0_value_9 then
+        transform_left_filter_feature_1_choice_26 := transform_left_filter_feature_1_choice_25;
+      else
+        transform_left_filter_feature_1_choice_26 := ((transform_left_filter_column_5_1 mod 2) = 1) and
+          transform_left_filter_feature_1_is_equal;
+      end if;
+      if transform_left_filter_feature_1_choice_26 then
+        transform_left_filter_feature_1_choice_27 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_14;
+      else
+        transform_left_filter_feature_1_choice_27 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_14;
+      end if;
+      if transform_left_filter_feature_1_choice_27 then
+        transform_left_filter_feature_1_choice_28 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_15;
+      else
+        transform_left_filter_feature_1_choice_28 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_15;
+      end if;
+      if transform_left_filter_feature_1_choice_28 then
+        transform_left_filter_feature_1_choice_29 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_16;
+      else
+        transform_left_filter_feature_1_choice_29 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_16;
+      end if;
+      if transform_left_filter_feature_1_choice_29 then
+        transform_left_filter_feature_1_choice_30 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_17;
+      else
+        transform_left_filter_feature_1_choice_30 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_17;
+      end if;
+      if transform_left_filter_feature_1_choice_30 then
+        transform_left_filter_feature_1_choice_31 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_18;
+      else
+        transform_left_filter_feature_1_choice_31 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_18;
+      end if;
+      if transform_left_filter_feature_1_choice_31 then
+        transform_left_filter_feature_1_choice_32 := ((transform_left_filter_column_5_1 / 128) = 1) and (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      else
+        transform_left_filter_feature_1_choice_32 := ((transform_left_filter_column_5_1 / 128) = 1) or (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_2 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_33 := transform_left_filter_feature_1_any;
+      else
+        transform_left_filter_feature_1_choice_33 := not transform_left_filter_feature_0_value_13;
+      end if;
+      if transform_left_filter_feature_0_value_10 then
+        transform_left_filter_feature_1_choice_34 := transform_left_filter_feature_1_choice_33;
+      else
+        transform_left_filter_feature_1_choice_34 := ((transform_left_filter_column_5_2 mod 2) = 1) and
+          transform_left_filter_feature_1_is_equal;
+      end if;
+      if transform_left_filter_feature_1_choice_34 then
+        transform_left_filter_feature_1_choice_35 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_14;
+      else
+        transform_left_filter_feature_1_choice_35 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_14;
+      end if;
+      if transform_left_filter_feature_1_choice_35 then
+        transform_left_filter_feature_1_choice_36 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_15;
+      else
+        transform_left_filter_feature_1_choice_36 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_15;
+      end if;
+      if transform_left_filter_feature_1_choice_36 then
+        transform_left_filter_feature_1_choice_37 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_16;
+      else
+        transform_left_filter_feature_1_choice_37 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_16;
+      end if;
+      if transform_left_filter_feature_1_choice_37 then
+        transform_left_filter_feature_1_choice_38 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_17;
+      else
+        transform_left_filter_feature_1_choice_38 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_17;
+      end if;
+      if transform_left_filter_feature_1_choice_38 then
+        transform_left_filter_feature_1_choice_39 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_18;
+      else
+        transform_left_filter_feature_1_choice_39 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_18;
+      end if;
+      if transform_left_filter_feature_1_choice_39 then
+        transform_left_filter_feature_1_choice_40 := ((transform_left_filter_column_5_2 / 128) = 1) and (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      else
+        transform_left_filter_feature_1_choice_40 := ((transform_left_filter_column_5_2 / 128) = 1) or (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_3 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_41 := transform_left_filter_feature_1_any;
+      else
+        transform_left_filter_feature_1_choice_41 := not transform_left_filter_feature_0_value_13;
+      end if;
+      if ((transform_left_filter_column_5_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_1_choice_42 := transform_left_filter_feature_1_choice_41;
+      else
+        transform_left_filter_feature_1_choice_42 := ((transform_left_filter_column_5_3 mod 2) = 1) and
+          transform_left_filter_feature_1_is_equal;
+      end if;
+      if transform_left_filter_feature_1_choice_42 then
+        transform_left_filter_feature_1_choice_43 := (not (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_14;
+      else
+        transform_left_filter_feature_1_choice_43 := (not (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_14;
+      end if;
+      if transform_left_filter_feature_1_choice_43 then
+        transform_left_filter_feature_1_choice_44 := (not (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_15;
+      else
+        transform_left_filter_feature_1_choice_44 := (not (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_15;
+      end if;
+      if transform_left_filter_feature_1_choice_44 then
+        transform_left_filter_feature_1_choice_45 := (not (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_16;
+      else
+        transform_left_filter_feature_1_choice_45 := (not (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_16;
+      end if;
+      if transform_left_filter_feature_1_choice_45 then
+        transform_left_filter_feature_1_choice_46 := (not (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_17;
+      else
+        transform_left_filter_feature_1_choice_46 := (not (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_17;
+      end if;
+      if transform_left_filter_feature_1_choice_46 then
+        transform_left_filter_feature_1_choice_47 := (not (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_18;
+      else
+        transform_left_filter_feature_1_choice_47 := (not (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_18;
+      end if;
+      if transform_left_filter_feature_1_choice_47 then
+        transform_left_filter_feature_1_choice_48 := ((transform_left_filter_column_5_3 / 128) = 1) and (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      else
+        transform_left_filter_feature_1_choice_48 := ((transform_left_filter_column_5_3 / 128) = 1) or (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_1 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_49 := transform_left_filter_feature_1_any;
+      else
+        transform_left_filter_feature_1_choice_49 := not transform_left_filter_feature_0_value_13;
+      end if;
+      if transform_left_filter_feature_0_value_11 then
+        transform_left_filter_feature_1_choice_50 := transform_left_filter_feature_1_choice_49;
+      else
+        transform_left_filter_feature_1_choice_50 := ((transform_left_filter_column_4_1 mod 2) = 1) and
+          transform_left_filter_feature_1_is_equal;
+      end if;
+      if transform_left_filter_feature_1_choice_50 then
+        transform_left_filter_feature_1_choice_51 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_14;
+      else
+        transform_left_filter_feature_1_choice_51 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_14;
+      end if;
+      if transform_left_filter_feature_1_choice_51 then
+        transform_left_filter_feature_1_choice_52 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_15;
+      else
+        transform_left_filter_feature_1_choice_52 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_15;
+      end if;
+      if transform_left_filter_feature_1_choice_52 then
+        transform_left_filter_feature_1_choice_53 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_16;
+      else
+        transform_left_filter_feature_1_choice_53 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_16;
+      end if;
+      if transform_left_filter_feature_1_choice_53 then
+        transform_left_filter_feature_1_choice_54 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_17;
+      else
+        transform_left_filter_feature_1_choice_54 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_17;
+      end if;
+      if transform_left_filter_feature_1_choice_54 then
+        transform_left_filter_feature_1_choice_55 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_18;
+      else
+        transform_left_filter_feature_1_choice_55 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_18;
+      end if;
+      if transform_left_filter_feature_1_choice_55 then
+        transform_left_filter_feature_1_choice_56 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      else
+        transform_left_filter_feature_1_choice_56 := ((transform_left_filter_column_4_1 / 128) = 1) or (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_2 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_57 := transform_left_filter_feature_1_any;
+      else
+        transform_left_filter_feature_1_choice_57 := not transform_left_filter_feature_0_value_13;
+      end if;
+      if transform_left_filter_feature_0_value_12 then
+        transform_left_filter_feature_1_choice_58 := transform_left_filter_feature_1_choice_57;
+      else
+        transform_left_filter_feature_1_choice_58 := ((transform_left_filter_column_4_2 mod 2) = 1) and
+          transform_left_filter_feature_1_is_equal;
+      end if;
+      if transform_left_filter_feature_1_choice_58 then
+        transform_left_filter_feature_1_choice_59 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_14;
+      else
+        transform_left_filter_feature_1_choice_59 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_14;
+      end if;
+      if transform_left_filter_feature_1_choice_59 then
+        transform_left_filter_feature_1_choice_60 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_15;
+      else
+        transform_left_filter_feature_1_choice_60 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_15;
+      end if;
+      if transform_left_filter_feature_1_choice_60 then
+        transform_left_filter_feature_1_choice_61 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_16;
+      else
+        transform_left_filter_feature_1_choice_61 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_16;
+      end if;
+      if transform_left_filter_feature_1_choice_61 then
+        transform_left_filter_feature_1_choice_62 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_17;
+      else
+        transform_left_filter_feature_1_choice_62 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_17;
+      end if;
+      if transform_left_filter_feature_1_choice_62 then
+        transform_left_filter_feature_1_choice_63 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_18;
+      else
+        transform_left_filter_feature_1_choice_63 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_18;
+      end if;
+      if transform_left_filter_feature_1_choice_63 then
+        transform_left_filter_feature_1_choice_64 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      else
+        transform_left_filter_feature_1_choice_64 := ((transform_left_filter_column_4_2 / 128) = 1) or (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_3 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_65 := transform_left_filter_feature_1_any;
+      else
+        transform_left_filter_feature_1_choice_65 := not transform_left_filter_feature_0_value_13;
+      end if;
+      if ((transform_left_filter_column_4_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_1_choice_66 := transform_left_filter_feature_1_choice_65;
+      else
+        transform_left_filter_feature_1_choice_66 := ((transform_left_filter_column_4_3 mod 2) = 1) and
+          transform_left_filter_feature_1_is_equal;
+      end if;
+      if transform_left_filter_feature_1_choice_66 then
+        transform_left_filter_feature_1_choice_67 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_14;
+      else
+        transform_left_filter_feature_1_choice_67 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_14;
+      end if;
+      if transform_left_filter_feature_1_choice_67 then
+        transform_left_filter_feature_1_choice_68 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_15;
+      else
+        transform_left_filter_feature_1_choice_68 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_15;
+      end if;
+      if transform_left_filter_feature_1_choice_68 then
+        transform_left_filter_feature_1_choice_69 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_16;
+      else
+        transform_left_filter_feature_1_choice_69 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_16;
+      end if;
+      if transform_left_filter_feature_1_choice_69 then
+        transform_left_filter_feature_1_choice_70 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_17;
+      else
+        transform_left_filter_feature_1_choice_70 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_17;
+      end if;
+      if transform_left_filter_feature_1_choice_70 then
+        transform_left_filter_feature_1_choice_71 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_18;
+      else
+        transform_left_filter_feature_1_choice_71 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_18;
+      end if;
+      if transform_left_filter_feature_1_choice_71 then
+        transform_left_filter_feature_1_choice_72 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      else
+        transform_left_filter_feature_1_choice_72 := ((transform_left_filter_column_4_3 / 128) = 1) or (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_3 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_73 := transform_left_filter_feature_1_any;
+      else
+        transform_left_filter_feature_1_choice_73 := not transform_left_filter_feature_0_value_13;
+      end if;
+      if ((transform_left_filter_column_3_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_1_choice_74 := transform_left_filter_feature_1_choice_73;
+      else
+        transform_left_filter_feature_1_choice_74 := ((transform_left_filter_column_3_3 mod 2) = 1) and
+          transform_left_filter_feature_1_is_equal;
+      end if;
+      if transform_left_filter_feature_1_choice_74 then
+        transform_left_filter_feature_1_choice_75 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_14;
+      else
+        transform_left_filter_feature_1_choice_75 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_14;
+      end if;
+      if transform_left_filter_feature_1_choice_75 then
+        transform_left_filter_feature_1_choice_76 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_15;
+      else
+        transform_left_filter_feature_1_choice_76 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_15;
+      end if;
+      if transform_left_filter_feature_1_choice_76 then
+        transform_left_filter_feature_1_choice_77 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_16;
+      else
+        transform_left_filter_feature_1_choice_77 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_16;
+      end if;
+      if transform_left_filter_feature_1_choice_77 then
+        transform_left_filter_feature_1_choice_78 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_17;
+      else
+        transform_left_filter_feature_1_choice_78 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_17;
+      end if;
+      if transform_left_filter_feature_1_choice_78 then
+        transform_left_filter_feature_1_choice_79 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_18;
+      else
+        transform_left_filter_feature_1_choice_79 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_18;
+      end if;
+      if (transform_left_filter_column_3_3 / 128) = 1 then
+        transform_left_filter_feature_1_choice_80 := transform_filtering_0_column_inside_3;
+      else
+        transform_left_filter_feature_1_choice_80 := (not ((transform_left_filter_column_3_2 / 128) = 1)) and
+          transform_filtering_0_column_inside_3;
+      end if;
+      if transform_left_filter_feature_1_choice_79 then
+        transform_left_filter_feature_1_choice_81 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
+          ((transform_left_filter_column_3_2 / 128) = 1)) and transform_filtering_0_column_inside_3;
+      else
+        transform_left_filter_feature_1_choice_81 := transform_left_filter_feature_1_choice_80;
+      end if;
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_82 := not transform_left_filter_feature_0_value_25;
+      else
+        transform_left_filter_feature_1_choice_82 := (transform_left_filter_column_2_2 mod 4) = 0;
+      end if;
+      if transform_left_filter_feature_0_value_13 then
+        transform_left_filter_feature_1_choice_83 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
+          transform_left_filter_feature_0_value_25) or (not ((transform_left_filter_column_2_2 mod 2) = 1));
+      else
+        transform_left_filter_feature_1_choice_83 := transform_left_filter_feature_1_choice_82;
+      end if;
+      if transform_left_filter_feature_1_choice_83 then
+        transform_left_filter_feature_1_choice_84 := (not transform_left_filter_feature_0_value_14) and
+          transform_left_filter_feature_0_value_26;
+      else
+        transform_left_filter_feature_1_choice_84 := (not transform_left_filter_feature_0_value_14) or
+          transform_left_filter_feature_0_value_26;
+      end if;
+      if transform_left_filter_feature_1_choice_84 then
+        transform_left_filter_feature_1_choice_85 := (not transform_left_filter_feature_0_value_15) or
+          transform_left_filter_feature_0_value_27;
+      else
+        transform_left_filter_feature_1_choice_85 := (not transform_left_filter_feature_0_value_15) and
+          transform_left_filter_feature_0_value_27;
+      end if;
+      if transform_left_filter_feature_1_choice_85 then
+        transform_left_filter_feature_1_choice_86 := (not transform_left_filter_feature_0_value_16) or
+          transform_left_filter_feature_0_value_28;
+      else
+        transform_left_filter_feature_1_choice_86 := (not transform_left_filter_feature_0_value_16) and
+          transform_left_filter_feature_0_value_28;
+      end if;
+      if transform_left_filter_feature_1_choice_86 then
+        transform_left_filter_feature_1_choice_87 := (not transform_left_filter_feature_0_value_17) or
+          transform_left_filter_feature_0_value_29;
+      else
+        transform_left_filter_feature_1_choice_87 := (not transform_left_filter_feature_0_value_17) and
+          transform_left_filter_feature_0_value_29;
+      end if;
+      if transform_left_filter_feature_1_choice_87 then
+        transform_left_filter_feature_1_choice_88 := (not transform_left_filter_feature_0_value_18) or
+          transform_left_filter_feature_0_value_30;
+      else
+        transform_left_filter_feature_1_choice_88 := (not transform_left_filter_feature_0_value_18) and
+          transform_left_filter_feature_0_value_30;
+      end if;
+      if transform_left_filter_feature_1_choice_88 then
+        transform_left_filter_feature_1_choice_89 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
+          ((transform_left_filter_column_2_2 / 128) = 1);
+      else
+        transform_left_filter_feature_1_choice_89 := (not ((transform_left_filter_column_3_2 / 128) = 1)) and
+          ((transform_left_filter_column_2_2 / 128) = 1);
+      end if;
+      if (transform_left_filter_column_2_3 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_90 := transform_left_filter_feature_1_any;
+      else
+        transform_left_filter_feature_1_choice_90 := not transform_left_filter_feature_0_value_13;
+      end if;
+      if ((transform_left_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_1_choice_91 := transform_left_filter_feature_1_choice_90;
+      else
+        transform_left_filter_feature_1_choice_91 := ((transform_left_filter_column_2_3 mod 2) = 1) and
+          transform_left_filter_feature_1_is_equal;
+      end if;
+      if transform_left_filter_feature_1_choice_91 then
+        transform_left_filter_feature_1_choice_92 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_14;
+      else
+        transform_left_filter_feature_1_choice_92 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_14;
+      end if;
+      if transform_left_filter_feature_1_choice_92 then
+        transform_left_filter_feature_1_choice_93 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_15;
+      else
+        transform_left_filter_feature_1_choice_93 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_15;
+      end if;
+      if transform_left_filter_feature_1_choice_93 then
+        transform_left_filter_feature_1_choice_94 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_16;
+      else
+        transform_left_filter_feature_1_choice_94 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_16;
+      end if;
+      if transform_left_filter_feature_1_choice_94 then
+        transform_left_filter_feature_1_choice_95 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_17;
+      else
+        transform_left_filter_feature_1_choice_95 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_17;
+      end if;
+      if transform_left_filter_feature_1_choice_95 then
+        transform_left_filter_feature_1_choice_96 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_18;
+      else
+        transform_left_filter_feature_1_choice_96 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_18;
+      end if;
+      if transform_left_filter_feature_1_choice_96 then
+        transform_left_filter_feature_1_choice_97 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      else
+        transform_left_filter_feature_1_choice_97 := ((transform_left_filter_column_2_3 / 128) = 1) or (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_98 := not transform_left_filter_feature_0_value_19;
+      else
+        transform_left_filter_feature_1_choice_98 := (transform_left_filter_column_2_1 mod 4) = 0;
+      end if;
+      if transform_left_filter_feature_0_value_13 then
+        transform_left_filter_feature_1_choice_99 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
+          transform_left_filter_feature_0_value_19) or (not ((transform_left_filter_column_2_1 mod 2) = 1));
+      else
+        transform_left_filter_feature_1_choice_99 := transform_left_filter_feature_1_choice_98;
+      end if;
+      if transform_left_filter_feature_1_choice_99 then
+        transform_left_filter_feature_1_choice_100 := (not transform_left_filter_feature_0_value_14) and
+          transform_left_filter_feature_0_value_20;
+      else
+        transform_left_filter_feature_1_choice_100 := (not transform_left_filter_feature_0_value_14) or
+          transform_left_filter_feature_0_value_20;
+      end if;
+      if transform_left_filter_feature_1_choice_100 then
+        transform_left_filter_feature_1_choice_101 := (not transform_left_filter_feature_0_value_15) or
+          transform_left_filter_feature_0_value_21;
+      else
+        transform_left_filter_feature_1_choice_101 := (not transform_left_filter_feature_0_value_15) and
+          transform_left_filter_feature_0_value_21;
+      end if;
+      if transform_left_filter_feature_1_choice_101 then
+        transform_left_filter_feature_1_choice_102 := (not transform_left_filter_feature_0_value_16) or
+          transform_left_filter_feature_0_value_22;
+      else
+        transform_left_filter_feature_1_choice_102 := (not transform_left_filter_feature_0_value_16) and
+          transform_left_filter_feature_0_value_22;
+      end if;
+      if transform_left_filter_feature_1_choice_102 then
+        transform_left_filter_feature_1_choice_103 := (not transform_left_filter_feature_0_value_17) or
+          transform_left_filter_feature_0_value_23;
+      else
+        transform_left_filter_feature_1_choice_103 := (not transform_left_filter_feature_0_value_17) and
+          transform_left_filter_feature_0_value_23;
+      end if;
+      if transform_left_filter_feature_1_choice_103 then
+        transform_left_filter_feature_1_choice_104 := (not transform_left_filter_feature_0_value_18) or
+          transform_left_filter_feature_0_value_24;
+      else
+        transform_left_filter_feature_1_choice_104 := (not transform_left_filter_feature_0_value_18) and
+          transform_left_filter_feature_0_value_24;
+      end if;
+      if transform_left_filter_feature_1_choice_104 then
+        transform_left_filter_feature_1_choice_105 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
+          ((transform_left_filter_column_2_1 / 128) = 1);
+      else
+        transform_left_filter_feature_1_choice_105 := (not ((transform_left_filter_column_3_2 / 128) = 1)) and
+          ((transform_left_filter_column_2_1 / 128) = 1);
+      end if;
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_106 := not transform_left_filter_feature_0_value_37;
+      else
+        transform_left_filter_feature_1_choice_106 := (transform_left_filter_column_1_2 mod 4) = 0;
+      end if;
+      if transform_left_filter_feature_0_value_13 then
+        transform_left_filter_feature_1_choice_107 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
+          transform_left_filter_feature_0_value_37) or (not ((transform_left_filter_column_1_2 mod 2) = 1));
+      else
+        transform_left_filter_feature_1_choice_107 := transform_left_filter_feature_1_choice_106;
+      end if;
+      if transform_left_filter_feature_1_choice_107 then
+        transform_left_filter_feature_1_choice_108 := (not transform_left_filter_feature_0_value_14) and
+          transform_left_filter_feature_0_value_38;
+      else
+        transform_left_filter_feature_1_choice_108 := (not transform_left_filter_feature_0_value_14) or
+          transform_left_filter_feature_0_value_38;
+      end if;
+      if transform_left_filter_feature_1_choice_108 then
+        transform_left_filter_feature_1_choice_109 := (not transform_left_filter_feature_0_value_15) or
+          transform_left_filter_feature_0_value_39;
+      else
+        transform_left_filter_feature_1_choice_109 := (not transform_left_filter_feature_0_value_15) and
+          transform_left_filter_feature_0_value_39;
+      end if;
+      if transform_left_filter_feature_1_choice_109 then
+        transform_left_filter_feature_1_choice_110 := (not transform_left_filter_feature_0_value_16) or
+          transform_left_filter_feature_0_value_40;
+      else
+        transform_left_filter_feature_1_choice_110 := (not transform_left_filter_feature_0_value_16) and
+          transform_left_filter_feature_0_value_40;
+      end if;
+      if transform_left_filter_feature_1_choice_110 then
+        transform_left_filter_feature_1_choice_111 := (not transform_left_filter_feature_0_value_17) or
+          transform_left_filter_feature_0_value_41;
+      else
+        transform_left_filter_feature_1_choice_111 := (not transform_left_filter_feature_0_value_17) and
+          transform_left_filter_feature_0_value_41;
+      end if;
+      if transform_left_filter_feature_1_choice_111 then
+        transform_left_filter_feature_1_choice_112 := (not transform_left_filter_feature_0_value_18) or
+          transform_left_filter_feature_0_value_42;
+      else
+        transform_left_filter_feature_1_choice_112 := (not transform_left_filter_feature_0_value_18) and
+          transform_left_filter_feature_0_value_42;
+      end if;
+      if transform_left_filter_feature_1_choice_112 then
+        transform_left_filter_feature_1_choice_113 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
+          ((transform_left_filter_column_1_2 / 128) = 1);
+      else
+        transform_left_filter_feature_1_choice_113 := (not ((transform_left_filter_column_3_2 / 128) = 1)) and
+          ((transform_left_filter_column_1_2 / 128) = 1);
+      end if;
+      if (transform_left_filter_column_1_3 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_114 := transform_left_filter_feature_1_any;
+      else
+        transform_left_filter_feature_1_choice_114 := not transform_left_filter_feature_0_value_13;
+      end if;
+      if ((transform_left_filter_column_1_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_1_choice_115 := transform_left_filter_feature_1_choice_114;
+      else
+        transform_left_filter_feature_1_choice_115 := ((transform_left_filter_column_1_3 mod 2) = 1) and
+          transform_left_filter_feature_1_is_equal;
+      end if;
+      if transform_left_filter_feature_1_choice_115 then
+        transform_left_filter_feature_1_choice_116 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_14;
+      else
+        transform_left_filter_feature_1_choice_116 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_14;
+      end if;
+      if transform_left_filter_feature_1_choice_116 then
+        transform_left_filter_feature_1_choice_117 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_15;
+      else
+        transform_left_filter_feature_1_choice_117 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_15;
+      end if;
+      if transform_left_filter_feature_1_choice_117 then
+        transform_left_filter_feature_1_choice_118 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_16;
+      else
+        transform_left_filter_feature_1_choice_118 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_16;
+      end if;
+      if transform_left_filter_feature_1_choice_118 then
+        transform_left_filter_feature_1_choice_119 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_17;
+      else
+        transform_left_filter_feature_1_choice_119 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_17;
+      end if;
+      if transform_left_filter_feature_1_choice_119 then
+        transform_left_filter_feature_1_choice_120 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_18;
+      else
+        transform_left_filter_feature_1_choice_120 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_18;
+      end if;
+      if transform_left_filter_feature_1_choice_120 then
+        transform_left_filter_feature_1_choice_121 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      else
+        transform_left_filter_feature_1_choice_121 := ((transform_left_filter_column_1_3 / 128) = 1) or (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_122 := not transform_left_filter_feature_0_value_31;
+      else
+        transform_left_filter_feature_1_choice_122 := (transform_left_filter_column_1_1 mod 4) = 0;
+      end if;
+      if transform_left_filter_feature_0_value_13 then
+        transform_left_filter_feature_1_choice_123 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
+          transform_left_filter_feature_0_value_31) or (not ((transform_left_filter_column_1_1 mod 2) = 1));
+      else
+        transform_left_filter_feature_1_choice_123 := transform_left_filter_feature_1_choice_122;
+      end if;
+      if transform_left_filter_feature_1_choice_123 then
+        transform_left_filter_feature_1_choice_124 := (not transform_left_filter_feature_0_value_14) and
+          transform_left_filter_feature_0_value_32;
+      else
+        transform_left_filter_feature_1_choice_124 := (not transform_left_filter_feature_0_value_14) or
+          transform_left_filter_feature_0_value_32;
+      end if;
+      if transform_left_filter_feature_1_choice_124 then
+        transform_left_filter_feature_1_choice_125 := (not transform_left_filter_feature_0_value_15) or
+          transform_left_filter_feature_0_value_33;
+      else
+        transform_left_filter_feature_1_choice_125 := (not transform_left_filter_feature_0_value_15) and
+          transform_left_filter_feature_0_value_33;
+      end if;
+      if transform_left_filter_feature_1_choice_125 then
+        transform_left_filter_feature_1_choice_126 := (not transform_left_filter_feature_0_value_16) or
+          transform_left_filter_feature_0_value_34;
+      else
+        transform_left_filter_feature_1_choice_126 := (not transform_left_filter_feature_0_value_16) and
+          transform_left_filter_feature_0_value_34;
+      end if;
+      if transform_left_filter_feature_1_choice_126 then
+        transform_left_filter_feature_1_choice_127 := (not transform_left_filter_feature_0_value_17) or
+          transform_left_filter_feature_0_value_35;
+      else
+        transform_left_filter_feature_1_choice_127 := (not transform_left_filter_feature_0_value_17) and
+          transform_left_filter_feature_0_value_35;
+      end if;
+      if transform_left_filter_feature_1_choice_127 then
+        transform_left_filter_feature_1_choice_128 := (not transform_left_filter_feature_0_value_18) or
+          transform_left_filter_feature_0_value_36;
+      else
+        transform_left_filter_feature_1_choice_128 := (not transform_left_filter_feature_0_value_18) and
+          transform_left_filter_feature_0_value_36;
+      end if;
+      if transform_left_filter_feature_1_choice_128 then
+        transform_left_filter_feature_1_choice_129 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
+          ((transform_left_filter_column_1_1 / 128) = 1);
+      else
+        transform_left_filter_feature_1_choice_129 := (not ((transform_left_filter_column_3_2 / 128) = 1)) and
+          ((transform_left_filter_column_1_1 / 128) = 1);
+      end if;
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_130 := not transform_left_filter_feature_0_value_49;
+      else
+        transform_left_filter_feature_1_choice_130 := (transform_left_filter_column_0_2 mod 4) = 0;
+      end if;
+      if transform_left_filter_feature_0_value_13 then
+        transform_left_filter_feature_1_choice_131 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
+          transform_left_filter_feature_0_value_49) or (not ((transform_left_filter_column_0_2 mod 2) = 1));
+      else
+        transform_left_filter_feature_1_choice_131 := transform_left_filter_feature_1_choice_130;
+      end if;
+      if transform_left_filter_feature_1_choice_131 then
+        transform_left_filter_feature_1_choice_132 := (not transform_left_filter_feature_0_value_14) and
+          transform_left_filter_feature_0_value_50;
+      else
+        transform_left_filter_feature_1_choice_132 := (not transform_left_filter_feature_0_value_14) or
+          transform_left_filter_feature_0_value_50;
+      end if;
+      if transform_left_filter_feature_1_choice_132 then
+        transform_left_filter_feature_1_choice_133 := (not transform_left_filter_feature_0_value_15) or
+          transform_left_filter_feature_0_value_51;
+      else
+        transform_left_filter_feature_1_choice_133 := (not transform_left_filter_feature_0_value_15) and
+          transform_left_filter_feature_0_value_51;
+      end if;
+      if transform_left_filter_feature_1_choice_133 then
+        transform_left_filter_feature_1_choice_134 := (not transform_left_filter_feature_0_value_16) or
+          transform_left_filter_feature_0_value_52;
+      else
+        transform_left_filter_feature_1_choice_134 := (not transform_left_filter_feature_0_value_16) and
+          transform_left_filter_feature_0_value_52;
+      end if;
+      if transform_left_filter_feature_1_choice_134 then
+        transform_left_filter_feature_1_choice_135 := (not transform_left_filter_feature_0_value_17) or
+          transform_left_filter_feature_0_value_53;
+      else
+        transform_left_filter_feature_1_choice_135 := (not transform_left_filter_feature_0_value_17) and
+          transform_left_filter_feature_0_value_53;
+      end if;
+      if transform_left_filter_feature_1_choice_135 then
+        transform_left_filter_feature_1_choice_136 := (not transform_left_filter_feature_0_value_18) or
+          transform_left_filter_feature_0_value_54;
+      else
+        transform_left_filter_feature_1_choice_136 := (not transform_left_filter_feature_0_value_18) and
+          transform_left_filter_feature_0_value_54;
+      end if;
+      if transform_left_filter_feature_1_choice_136 then
+        transform_left_filter_feature_1_choice_137 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
+          ((transform_left_filter_column_0_2 / 128) = 1);
+      else
+        transform_left_filter_feature_1_choice_137 := (not ((transform_left_filter_column_3_2 / 128) = 1)) and
+          ((transform_left_filter_column_0_2 / 128) = 1);
+      end if;
+      if (transform_left_filter_column_0_3 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_138 := transform_left_filter_feature_1_any;
+      else
+        transform_left_filter_feature_1_choice_138 := not transform_left_filter_feature_0_value_13;
+      end if;
+      if ((transform_left_filter_column_0_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_1_choice_139 := transform_left_filter_feature_1_choice_138;
+      else
+        transform_left_filter_feature_1_choice_139 := ((transform_left_filter_column_0_3 mod 2) = 1) and
+          transform_left_filter_feature_1_is_equal;
+      end if;
+      if transform_left_filter_feature_1_choice_139 then
+        transform_left_filter_feature_1_choice_140 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_14;
+      else
+        transform_left_filter_feature_1_choice_140 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_14;
+      end if;
+      if transform_left_filter_feature_1_choice_140 then
+        transform_left_filter_feature_1_choice_141 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_15;
+      else
+        transform_left_filter_feature_1_choice_141 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_15;
+      end if;
+      if transform_left_filter_feature_1_choice_141 then
+        transform_left_filter_feature_1_choice_142 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_16;
+      else
+        transform_left_filter_feature_1_choice_142 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_16;
+      end if;
+      if transform_left_filter_feature_1_choice_142 then
+        transform_left_filter_feature_1_choice_143 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_17;
+      else
+        transform_left_filter_feature_1_choice_143 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_17;
+      end if;
+      if transform_left_filter_feature_1_choice_143 then
+        transform_left_filter_feature_1_choice_144 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_18;
+      else
+        transform_left_filter_feature_1_choice_144 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_18;
+      end if;
+      if transform_left_filter_feature_1_choice_144 then
+        transform_left_filter_feature_1_choice_145 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      else
+        transform_left_filter_feature_1_choice_145 := ((transform_left_filter_column_0_3 / 128) = 1) or (not
+          ((transform_left_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_146 := not transform_left_filter_feature_0_value_43;
+      else
+        transform_left_filter_feature_1_choice_146 := (transform_left_filter_column_0_1 mod 4) = 0;
+      end if;
+      if transform_left_filter_feature_0_value_13 then
+        transform_left_filter_feature_1_choice_147 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
+          transform_left_filter_feature_0_value_43) or (not ((transform_left_filter_column_0_1 mod 2) = 1));
+      else
+        transform_left_filter_feature_1_choice_147 := transform_left_filter_feature_1_choice_146;
+      end if;
+      if transform_left_filter_feature_1_choice_147 then
+        transform_left_filter_feature_1_choice_148 := (not transform_left_filter_feature_0_value_14) and
+          transform_left_filter_feature_0_value_44;
+      else
+        transform_left_filter_feature_1_choice_148 := (not transform_left_filter_feature_0_value_14) or
+          transform_left_filter_feature_0_value_44;
+      end if;
+      if transform_left_filter_feature_1_choice_148 then
+        transform_left_filter_feature_1_choice_149 := (not transform_left_filter_feature_0_value_15) or
+          transform_left_filter_feature_0_value_45;
+      else
+        transform_left_filter_feature_1_choice_149 := (not transform_left_filter_feature_0_value_15) and
+          transform_left_filter_feature_0_value_45;
+      end if;
+      if transform_left_filter_feature_1_choice_149 then
+        transform_left_filter_feature_1_choice_150 := (not transform_left_filter_feature_0_value_16) or
+          transform_left_filter_feature_0_value_46;
+      else
+        transform_left_filter_feature_1_choice_150 := (not transform_left_filter_feature_0_value_16) and
+          transform_left_filter_feature_0_value_46;
+      end if;
+      if transform_left_filter_feature_1_choice_150 then
+        transform_left_filter_feature_1_choice_151 := (not transform_left_filter_feature_0_value_17) or
+          transform_left_filter_feature_0_value_47;
+      else
+        transform_left_filter_feature_1_choice_151 := (not transform_left_filter_feature_0_value_17) and
+          transform_left_filter_feature_0_value_47;
+      end if;
+      if transform_left_filter_feature_1_choice_151 then
+        transform_left_filter_feature_1_choice_152 := (not transform_left_filter_feature_0_value_18) or
+          transform_left_filter_feature_0_value_48;
+      else
+        transform_left_filter_feature_1_choice_152 := (not transform_left_filter_feature_0_value_18) and
+          transform_left_filter_feature_0_value_48;
+      end if;
+      if transform_left_filter_feature_1_choice_152 then
+        transform_left_filter_feature_1_choice_153 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
+          ((transform_left_filter_column_0_1 / 128) = 1);
+      else
+        transform_left_filter_feature_1_choice_153 := (not ((transform_left_filter_column_3_2 / 128) = 1)) and
+          ((transform_left_filter_column_0_1 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_1_choice_154 := (as_number(transform_left_filter_feature_1_choice_137) * 2) +
           (as_number(transform_left_filter_feature_1_choice_145) * 4) +
@@ -2230,24 +3475,49 @@ begin
       else
         transform_left_filter_feature_1_choice_156 := transform_left_filter_feature_1_choice_155;
       end if;
-      transform_left_filter_feature_1_choice_157 := not transform_left_filter_feature_0_value when
-        (transform_left_filter_column_3_2 mod 2) = 1 else transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_1_choice_158 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
-        transform_left_filter_feature_0_value) or (not ((transform_left_filter_column_3_1 mod 2) = 1)) when
-        transform_left_filter_feature_0_value_13 else transform_left_filter_feature_1_choice_157;
-      transform_left_filter_feature_1_choice_159 := transform_left_filter_feature_0_all when
-        transform_left_filter_feature_1_choice_158 else transform_left_filter_feature_0_any_2;
-      transform_left_filter_feature_1_choice_160 := transform_left_filter_feature_0_any_3 when
-        transform_left_filter_feature_1_choice_159 else transform_left_filter_feature_0_all_2;
-      transform_left_filter_feature_1_choice_161 := transform_left_filter_feature_0_any_4 when
-        transform_left_filter_feature_1_choice_160 else transform_left_filter_feature_0_all_3;
-      transform_left_filter_feature_1_choice_162 := transform_left_filter_feature_0_any_5 when
-        transform_left_filter_feature_1_choice_161 else transform_left_filter_feature_0_all_4;
-      transform_left_filter_feature_1_choice_163 := transform_left_filter_feature_0_any_6 when
-        transform_left_filter_feature_1_choice_162 else transform_left_filter_feature_0_all_5;
-      transform_left_filter_feature_1_choice_164 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
-        ((transform_left_filter_column_3_1 / 128) = 1) when transform_left_filter_feature_1_choice_163 else (not
-        ((transform_left_filter_column_3_2 / 128) = 1)) and ((transform_left_filter_column_3_1 / 128) = 1);
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_1_choice_157 := not transform_left_filter_feature_0_value;
+      else
+        transform_left_filter_feature_1_choice_157 := transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_value_13 then
+        transform_left_filter_feature_1_choice_158 := ((transform_left_filter_column_3_2 mod 2) = 1) or (not
+          transform_left_filter_feature_0_value) or (not ((transform_left_filter_column_3_1 mod 2) = 1));
+      else
+        transform_left_filter_feature_1_choice_158 := transform_left_filter_feature_1_choice_157;
+      end if;
+      if transform_left_filter_feature_1_choice_158 then
+        transform_left_filter_feature_1_choice_159 := transform_left_filter_feature_0_all;
+      else
+        transform_left_filter_feature_1_choice_159 := transform_left_filter_feature_0_any_2;
+      end if;
+      if transform_left_filter_feature_1_choice_159 then
+        transform_left_filter_feature_1_choice_160 := transform_left_filter_feature_0_any_3;
+      else
+        transform_left_filter_feature_1_choice_160 := transform_left_filter_feature_0_all_2;
+      end if;
+      if transform_left_filter_feature_1_choice_160 then
+        transform_left_filter_feature_1_choice_161 := transform_left_filter_feature_0_any_4;
+      else
+        transform_left_filter_feature_1_choice_161 := transform_left_filter_feature_0_all_3;
+      end if;
+      if transform_left_filter_feature_1_choice_161 then
+        transform_left_filter_feature_1_choice_162 := transform_left_filter_feature_0_any_5;
+      else
+        transform_left_filter_feature_1_choice_162 := transform_left_filter_feature_0_all_4;
+      end if;
+      if transform_left_filter_feature_1_choice_162 then
+        transform_left_filter_feature_1_choice_163 := transform_left_filter_feature_0_any_6;
+      else
+        transform_left_filter_feature_1_choice_163 := transform_left_filter_feature_0_all_5;
+      end if;
+      if transform_left_filter_feature_1_choice_163 then
+        transform_left_filter_feature_1_choice_164 := (not ((transform_left_filter_column_3_2 / 128) = 1)) or
+          ((transform_left_filter_column_3_1 / 128) = 1);
+      else
+        transform_left_filter_feature_1_choice_164 := (not ((transform_left_filter_column_3_2 / 128) = 1)) and
+          ((transform_left_filter_column_3_1 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_3 then
         transform_left_filter_feature_1_choice_165 := transform_left_filter_feature_1_choice_156 +
           (as_number(transform_left_filter_feature_1_choice_164) * 512);
@@ -2273,520 +3543,1088 @@ begin
       transform_right_filter_feature_0_value := ((transform_right_filter_column_3_1 / 2) mod 2) = 1;
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
         ((transform_right_filter_column_3_1 mod 2) = 1));
-      transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_6_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      if (transform_right_filter_column_6_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
+      end if;
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column_3_1 mod 4) = 0;
-      transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice when
-        ((transform_right_filter_column_6_0 / 2) mod 2) = 1 else ((transform_right_filter_column_6_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
+      if ((transform_right_filter_column_6_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      else
+        transform_right_filter_feature_0_choice_2 := ((transform_right_filter_column_6_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
       transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_3_1 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_2 else (not
-        (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choice_2 then
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
       transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_3_1 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_3 else (not
-        (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      if transform_right_filter_feature_0_choice_3 then
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
       transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_3_1 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_4 else (not
-        (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choice_4 then
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
       transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_3_1 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_5 else (not
-        (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      if transform_right_filter_feature_0_choice_5 then
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
       transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_3_1 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_6 else (not
-        (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_6_0 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_7 else
-        ((transform_right_filter_column_6_0 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      if transform_right_filter_feature_0_choice_6 then
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_7 then
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_6_0 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_6_0 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
       transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_6_1 / 2) mod 2) = 1;
-      transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_6_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9 when
-        transform_right_filter_feature_0_value_7 else ((transform_right_filter_column_6_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_10 else (not
-        (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_11 else (not
-        (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_12 else (not
-        (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_13 else (not
-        (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_14 else (not
-        (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_6_1 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_15 else
-        ((transform_right_filter_column_6_1 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      if (transform_right_filter_column_6_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_9 := not transform_right_filter_feature_0_value;
+      end if;
+      if transform_right_filter_feature_0_value_7 then
+        transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9;
+      else
+        transform_right_filter_feature_0_choice_10 := ((transform_right_filter_column_6_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_10 then
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_11 then
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_12 then
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_13 then
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_14 then
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_15 then
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_6_1 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_6_1 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
       transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_6_2 / 2) mod 2) = 1;
-      transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_6_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17 when
-        transform_right_filter_feature_0_value_8 else ((transform_right_filter_column_6_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_18 else (not
-        (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_19 else (not
-        (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_20 else (not
-        (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_21 else (not
-        (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_22 else (not
-        (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_6_2 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_23 else
-        ((transform_right_filter_column_6_2 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_5_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25 when
-        ((transform_right_filter_column_5_0 / 2) mod 2) = 1 else ((transform_right_filter_column_5_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_26 else (not
-        (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_27 else (not
-        (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_28 else (not
-        (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_29 else (not
-        (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_30 else (not
-        (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_5_0 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_31 else
-        ((transform_right_filter_column_5_0 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      if (transform_right_filter_column_6_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_17 := not transform_right_filter_feature_0_value;
+      end if;
+      if transform_right_filter_feature_0_value_8 then
+        transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17;
+      else
+        transform_right_filter_feature_0_choice_18 := ((transform_right_filter_column_6_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_18 then
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_19 then
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_20 then
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_21 then
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_22 then
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_23 then
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_6_2 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_6_2 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_25 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_5_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25;
+      else
+        transform_right_filter_feature_0_choice_26 := ((transform_right_filter_column_5_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_26 then
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_27 then
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_28 then
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_29 then
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_30 then
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_31 then
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_5_0 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_5_0 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
       transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_5_1 / 2) mod 2) = 1;
-      transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_5_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33 when
-        transform_right_filter_feature_0_value_9 else ((transform_right_filter_column_5_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_34 else (not
-        (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_35 else (not
-        (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_36 else (not
-        (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_37 else (not
-        (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_38 else (not
-        (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_5_1 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_39 else
-        ((transform_right_filter_column_5_1 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      if (transform_right_filter_column_5_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_33 := not transform_right_filter_feature_0_value;
+      end if;
+      if transform_right_filter_feature_0_value_9 then
+        transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33;
+      else
+        transform_right_filter_feature_0_choice_34 := ((transform_right_filter_column_5_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_34 then
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_35 then
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_36 then
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_37 then
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_38 then
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_39 then
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_5_1 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_5_1 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
       transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_5_2 / 2) mod 2) = 1;
-      transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_5_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41 when
-        transform_right_filter_feature_0_value_10 else ((transform_right_filter_column_5_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_42 else (not
-        (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_43 else (not
-        (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_44 else (not
-        (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_45 else (not
-        (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_46 else (not
-        (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_5_2 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_47 else
-        ((transform_right_filter_column_5_2 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49 when
-        ((transform_right_filter_column_4_0 / 2) mod 2) = 1 else ((transform_right_filter_column_4_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_50 else (not
-        (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_51 else (not
-        (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_52 else (not
-        (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_53 else (not
-        (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_54 else (not
-        (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_55 else
-        ((transform_right_filter_column_4_0 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      if (transform_right_filter_column_5_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_41 := not transform_right_filter_feature_0_value;
+      end if;
+      if transform_right_filter_feature_0_value_10 then
+        transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41;
+      else
+        transform_right_filter_feature_0_choice_42 := ((transform_right_filter_column_5_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_42 then
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_43 then
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_44 then
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_45 then
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_46 then
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_47 then
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_5_2 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_5_2 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_49 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49;
+      else
+        transform_right_filter_feature_0_choice_50 := ((transform_right_filter_column_4_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_50 then
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_51 then
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_52 then
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_53 then
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_54 then
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_55 then
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_4_0 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
       transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_4_1 / 2) mod 2) = 1;
-      transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57 when
-        transform_right_filter_feature_0_value_11 else ((transform_right_filter_column_4_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_58 else (not
-        (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_59 else (not
-        (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_60 else (not
-        (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_61 else (not
-        (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_62 else (not
-        (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_63 else
-        ((transform_right_filter_column_4_1 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      if (transform_right_filter_column_4_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_57 := not transform_right_filter_feature_0_value;
+      end if;
+      if transform_right_filter_feature_0_value_11 then
+        transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57;
+      else
+        transform_right_filter_feature_0_choice_58 := ((transform_right_filter_column_4_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_58 then
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_59 then
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_60 then
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_61 then
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_62 then
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_63 then
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_4_1 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
       transform_right_filter_feature_0_value_12 := ((transform_right_filter_column_4_2 / 2) mod 2) = 1;
-      transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65 when
-        transform_right_filter_feature_0_value_12 else ((transform_right_filter_column_4_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_66 else (not
-        (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_67 else (not
-        (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_68 else (not
-        (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_69 else (not
-        (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_70 else (not
-        (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_71 else
-        ((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      if (transform_right_filter_column_4_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_65 := not transform_right_filter_feature_0_value;
+      end if;
+      if transform_right_filter_feature_0_value_12 then
+        transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65;
+      else
+        transform_right_filter_feature_0_choice_66 := ((transform_right_filter_column_4_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_66 then
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_67 then
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_68 then
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_69 then
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_70 then
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_71 then
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_4_2 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
       transform_right_filter_feature_0_value_13 := ((transform_right_filter_column_3_2 / 2) mod 2) = 1;
-      transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73 when
-        transform_right_filter_feature_0_value_13 else ((transform_right_filter_column_3_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_73 := not transform_right_filter_feature_0_value;
+      end if;
+      if transform_right_filter_feature_0_value_13 then
+        transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73;
+      else
+        transform_right_filter_feature_0_choice_74 := ((transform_right_filter_column_3_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
       transform_right_filter_feature_0_value_14 := ((transform_right_filter_column_3_2 / 4) mod 2) = 1;
       transform_right_filter_feature_0_all := (not transform_right_filter_feature_0_value_14) and
         transform_right_filter_feature_0_value_2;
       transform_right_filter_feature_0_any_2 := (not transform_right_filter_feature_0_value_14) or
         transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_75 := transform_right_filter_feature_0_all when
-        transform_right_filter_feature_0_choice_74 else transform_right_filter_feature_0_any_2;
+      if transform_right_filter_feature_0_choice_74 then
+        transform_right_filter_feature_0_choice_75 := transform_right_filter_feature_0_all;
+      else
+        transform_right_filter_feature_0_choice_75 := transform_right_filter_feature_0_any_2;
+      end if;
       transform_right_filter_feature_0_value_15 := ((transform_right_filter_column_3_2 / 8) mod 2) = 1;
       transform_right_filter_feature_0_any_3 := (not transform_right_filter_feature_0_value_15) or
         transform_right_filter_feature_0_value_3;
       transform_right_filter_feature_0_all_2 := (not transform_right_filter_feature_0_value_15) and
         transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_76 := transform_right_filter_feature_0_any_3 when
-        transform_right_filter_feature_0_choice_75 else transform_right_filter_feature_0_all_2;
+      if transform_right_filter_feature_0_choice_75 then
+        transform_right_filter_feature_0_choice_76 := transform_right_filter_feature_0_any_3;
+      else
+        transform_right_filter_feature_0_choice_76 := transform_right_filter_feature_0_all_2;
+      end if;
       transform_right_filter_feature_0_value_16 := ((transform_right_filter_column_3_2 / 16) mod 2) = 1;
       transform_right_filter_feature_0_any_4 := (not transform_right_filter_feature_0_value_16) or
         transform_right_filter_feature_0_value_4;
       transform_right_filter_feature_0_all_3 := (not transform_right_filter_feature_0_value_16) and
         transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_77 := transform_right_filter_feature_0_any_4 when
-        transform_right_filter_feature_0_choice_76 else transform_right_filter_feature_0_all_3;
+      if transform_right_filter_feature_0_choice_76 then
+        transform_right_filter_feature_0_choice_77 := transform_right_filter_feature_0_any_4;
+      else
+        transform_right_filter_feature_0_choice_77 := transform_right_filter_feature_0_all_3;
+      end if;
       transform_right_filter_feature_0_value_17 := ((transform_right_filter_column_3_2 / 32) mod 2) = 1;
       transform_right_filter_feature_0_any_5 := (not transform_right_filter_feature_0_value_17) or
         transform_right_filter_feature_0_value_5;
       transform_right_filter_feature_0_all_4 := (not transform_right_filter_feature_0_value_17) and
         transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_78 := transform_right_filter_feature_0_any_5 when
-        transform_right_filter_feature_0_choice_77 else transform_right_filter_feature_0_all_4;
+      if transform_right_filter_feature_0_choice_77 then
+        transform_right_filter_feature_0_choice_78 := transform_right_filter_feature_0_any_5;
+      else
+        transform_right_filter_feature_0_choice_78 := transform_right_filter_feature_0_all_4;
+      end if;
       transform_right_filter_feature_0_value_18 := ((transform_right_filter_column_3_2 / 64) mod 2) = 1;
       transform_right_filter_feature_0_any_6 := (not transform_right_filter_feature_0_value_18) or
         transform_right_filter_feature_0_value_6;
       transform_right_filter_feature_0_all_5 := (not transform_right_filter_feature_0_value_18) and
         transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_79 := transform_right_filter_feature_0_any_6 when
-        transform_right_filter_feature_0_choice_78 else transform_right_filter_feature_0_all_5;
-      transform_right_filter_feature_0_choice_80 := transform_filtering_0_column_inside_3 when
-        (transform_right_filter_column_3_2 / 128) = 1 else (not ((transform_right_filter_column_3_1 / 128) = 1)) and
-        transform_filtering_0_column_inside_3;
-      transform_right_filter_feature_0_choice_81 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) and transform_filtering_0_column_inside_3 when
-        transform_right_filter_feature_0_choice_79 else transform_right_filter_feature_0_choice_80;
+      if transform_right_filter_feature_0_choice_78 then
+        transform_right_filter_feature_0_choice_79 := transform_right_filter_feature_0_any_6;
+      else
+        transform_right_filter_feature_0_choice_79 := transform_right_filter_feature_0_all_5;
+      end if;
+      if (transform_right_filter_column_3_2 / 128) = 1 then
+        transform_right_filter_feature_0_choice_80 := transform_filtering_0_column_inside_3;
+      else
+        transform_right_filter_feature_0_choice_80 := (not ((transform_right_filter_column_3_1 / 128) = 1)) and
+          transform_filtering_0_column_inside_3;
+      end if;
+      if transform_right_filter_feature_0_choice_79 then
+        transform_right_filter_feature_0_choice_81 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1)) and transform_filtering_0_column_inside_3;
+      else
+        transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_choice_80;
+      end if;
       transform_right_filter_feature_0_value_19 := ((transform_right_filter_column_2_1 / 2) mod 2) = 1;
-      transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_83 := transform_right_filter_feature_0_choice_82 when
-        transform_right_filter_feature_0_value_19 else ((transform_right_filter_column_2_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
+      if (transform_right_filter_column_2_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_82 := not transform_right_filter_feature_0_value;
+      end if;
+      if transform_right_filter_feature_0_value_19 then
+        transform_right_filter_feature_0_choice_83 := transform_right_filter_feature_0_choice_82;
+      else
+        transform_right_filter_feature_0_choice_83 := ((transform_right_filter_column_2_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
       transform_right_filter_feature_0_value_20 := ((transform_right_filter_column_2_1 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_84 := (not transform_right_filter_feature_0_value_20) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_83 else (not
-        transform_right_filter_feature_0_value_20) or transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choice_83 then
+        transform_right_filter_feature_0_choice_84 := (not transform_right_filter_feature_0_value_20) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_84 := (not transform_right_filter_feature_0_value_20) or
+          transform_right_filter_feature_0_value_2;
+      end if;
       transform_right_filter_feature_0_value_21 := ((transform_right_filter_column_2_1 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_85 := (not transform_right_filter_feature_0_value_21) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_84 else (not
-        transform_right_filter_feature_0_value_21) and transform_right_filter_feature_0_value_3;
+      if transform_right_filter_feature_0_choice_84 then
+        transform_right_filter_feature_0_choice_85 := (not transform_right_filter_feature_0_value_21) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_85 := (not transform_right_filter_feature_0_value_21) and
+          transform_right_filter_feature_0_value_3;
+      end if;
       transform_right_filter_feature_0_value_22 := ((transform_right_filter_column_2_1 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_86 := (not transform_right_filter_feature_0_value_22) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_85 else (not
-        transform_right_filter_feature_0_value_22) and transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choice_85 then
+        transform_right_filter_feature_0_choice_86 := (not transform_right_filter_feature_0_value_22) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_86 := (not transform_right_filter_feature_0_value_22) and
+          transform_right_filter_feature_0_value_4;
+      end if;
       transform_right_filter_feature_0_value_23 := ((transform_right_filter_column_2_1 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_87 := (not transform_right_filter_feature_0_value_23) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_86 else (not
-        transform_right_filter_feature_0_value_23) and transform_right_filter_feature_0_value_5;
+      if transform_right_filter_feature_0_choice_86 then
+        transform_right_filter_feature_0_choice_87 := (not transform_right_filter_feature_0_value_23) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_87 := (not transform_right_filter_feature_0_value_23) and
+          transform_right_filter_feature_0_value_5;
+      end if;
       transform_right_filter_feature_0_value_24 := ((transform_right_filter_column_2_1 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_88 := (not transform_right_filter_feature_0_value_24) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_87 else (not
-        transform_right_filter_feature_0_value_24) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_89 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_88 else
-        ((transform_right_filter_column_2_1 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      if transform_right_filter_feature_0_choice_87 then
+        transform_right_filter_feature_0_choice_88 := (not transform_right_filter_feature_0_value_24) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_88 := (not transform_right_filter_feature_0_value_24) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_88 then
+        transform_right_filter_feature_0_choice_89 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_89 := ((transform_right_filter_column_2_1 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
       transform_right_filter_feature_0_value_25 := ((transform_right_filter_column_2_2 / 2) mod 2) = 1;
-      transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_91 := transform_right_filter_feature_0_choice_90 when
-        transform_right_filter_feature_0_value_25 else ((transform_right_filter_column_2_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
+      if (transform_right_filter_column_2_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_90 := not transform_right_filter_feature_0_value;
+      end if;
+      if transform_right_filter_feature_0_value_25 then
+        transform_right_filter_feature_0_choice_91 := transform_right_filter_feature_0_choice_90;
+      else
+        transform_right_filter_feature_0_choice_91 := ((transform_right_filter_column_2_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
       transform_right_filter_feature_0_value_26 := ((transform_right_filter_column_2_2 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_92 := (not transform_right_filter_feature_0_value_26) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_91 else (not
-        transform_right_filter_feature_0_value_26) or transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choice_91 then
+        transform_right_filter_feature_0_choice_92 := (not transform_right_filter_feature_0_value_26) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_92 := (not transform_right_filter_feature_0_value_26) or
+          transform_right_filter_feature_0_value_2;
+      end if;
       transform_right_filter_feature_0_value_27 := ((transform_right_filter_column_2_2 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_93 := (not transform_right_filter_feature_0_value_27) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_92 else (not
-        transform_right_filter_feature_0_value_27) and transform_right_filter_feature_0_value_3;
+      if transform_right_filter_feature_0_choice_92 then
+        transform_right_filter_feature_0_choice_93 := (not transform_right_filter_feature_0_value_27) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_93 := (not transform_right_filter_feature_0_value_27) and
+          transform_right_filter_feature_0_value_3;
+      end if;
       transform_right_filter_feature_0_value_28 := ((transform_right_filter_column_2_2 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_94 := (not transform_right_filter_feature_0_value_28) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_93 else (not
-        transform_right_filter_feature_0_value_28) and transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choice_93 then
+        transform_right_filter_feature_0_choice_94 := (not transform_right_filter_feature_0_value_28) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_94 := (not transform_right_filter_feature_0_value_28) and
+          transform_right_filter_feature_0_value_4;
+      end if;
       transform_right_filter_feature_0_value_29 := ((transform_right_filter_column_2_2 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_95 := (not transform_right_filter_feature_0_value_29) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_94 else (not
-        transform_right_filter_feature_0_value_29) and transform_right_filter_feature_0_value_5;
+      if transform_right_filter_feature_0_choice_94 then
+        transform_right_filter_feature_0_choice_95 := (not transform_right_filter_feature_0_value_29) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_95 := (not transform_right_filter_feature_0_value_29) and
+          transform_right_filter_feature_0_value_5;
+      end if;
       transform_right_filter_feature_0_value_30 := ((transform_right_filter_column_2_2 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_96 := (not transform_right_filter_feature_0_value_30) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_95 else (not
-        transform_right_filter_feature_0_value_30) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_97 := ((transform_right_filter_column_2_2 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_96 else
-        ((transform_right_filter_column_2_2 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_99 := transform_right_filter_feature_0_choice_98 when
-        ((transform_right_filter_column_2_0 / 2) mod 2) = 1 else ((transform_right_filter_column_2_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_99 else (not
-        (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_100 else (not
-        (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_101 else (not
-        (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_102 else (not
-        (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_103 else (not
-        (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_105 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_104 else
-        ((transform_right_filter_column_2_0 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      if transform_right_filter_feature_0_choice_95 then
+        transform_right_filter_feature_0_choice_96 := (not transform_right_filter_feature_0_value_30) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_96 := (not transform_right_filter_feature_0_value_30) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_96 then
+        transform_right_filter_feature_0_choice_97 := ((transform_right_filter_column_2_2 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_97 := ((transform_right_filter_column_2_2 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_98 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_99 := transform_right_filter_feature_0_choice_98;
+      else
+        transform_right_filter_feature_0_choice_99 := ((transform_right_filter_column_2_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_99 then
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_100 then
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_101 then
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_102 then
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_103 then
+        transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_104 then
+        transform_right_filter_feature_0_choice_105 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_105 := ((transform_right_filter_column_2_0 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
       transform_right_filter_feature_0_value_31 := ((transform_right_filter_column_1_1 / 2) mod 2) = 1;
-      transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_107 := transform_right_filter_feature_0_choice_106 when
-        transform_right_filter_feature_0_value_31 else ((transform_right_filter_column_1_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
+      if (transform_right_filter_column_1_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_106 := not transform_right_filter_feature_0_value;
+      end if;
+      if transform_right_filter_feature_0_value_31 then
+        transform_right_filter_feature_0_choice_107 := transform_right_filter_feature_0_choice_106;
+      else
+        transform_right_filter_feature_0_choice_107 := ((transform_right_filter_column_1_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
       transform_right_filter_feature_0_value_32 := ((transform_right_filter_column_1_1 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_108 := (not transform_right_filter_feature_0_value_32) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_107 else (not
-        transform_right_filter_feature_0_value_32) or transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choice_107 then
+        transform_right_filter_feature_0_choice_108 := (not transform_right_filter_feature_0_value_32) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_108 := (not transform_right_filter_feature_0_value_32) or
+          transform_right_filter_feature_0_value_2;
+      end if;
       transform_right_filter_feature_0_value_33 := ((transform_right_filter_column_1_1 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_109 := (not transform_right_filter_feature_0_value_33) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_108 else (not
-        transform_right_filter_feature_0_value_33) and transform_right_filter_feature_0_value_3;
+      if transform_right_filter_feature_0_choice_108 then
+        transform_right_filter_feature_0_choice_109 := (not transform_right_filter_feature_0_value_33) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_109 := (not transform_right_filter_feature_0_value_33) and
+          transform_right_filter_feature_0_value_3;
+      end if;
       transform_right_filter_feature_0_value_34 := ((transform_right_filter_column_1_1 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_110 := (not transform_right_filter_feature_0_value_34) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_109 else (not
-        transform_right_filter_feature_0_value_34) and transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choice_109 then
+        transform_right_filter_feature_0_choice_110 := (not transform_right_filter_feature_0_value_34) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_110 := (not transform_right_filter_feature_0_value_34) and
+          transform_right_filter_feature_0_value_4;
+      end if;
       transform_right_filter_feature_0_value_35 := ((transform_right_filter_column_1_1 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_111 := (not transform_right_filter_feature_0_value_35) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_110 else (not
-        transform_right_filter_feature_0_value_35) and transform_right_filter_feature_0_value_5;
+      if transform_right_filter_feature_0_choice_110 then
+        transform_right_filter_feature_0_choice_111 := (not transform_right_filter_feature_0_value_35) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_111 := (not transform_right_filter_feature_0_value_35) and
+          transform_right_filter_feature_0_value_5;
+      end if;
       transform_right_filter_feature_0_value_36 := ((transform_right_filter_column_1_1 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_112 := (not transform_right_filter_feature_0_value_36) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_111 else (not
-        transform_right_filter_feature_0_value_36) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_113 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_112 else
-        ((transform_right_filter_column_1_1 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      if transform_right_filter_feature_0_choice_111 then
+        transform_right_filter_feature_0_choice_112 := (not transform_right_filter_feature_0_value_36) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_112 := (not transform_right_filter_feature_0_value_36) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_112 then
+        transform_right_filter_feature_0_choice_113 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_113 := ((transform_right_filter_column_1_1 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
       transform_right_filter_feature_0_value_37 := ((transform_right_filter_column_1_2 / 2) mod 2) = 1;
-      transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_115 := transform_right_filter_feature_0_choice_114 when
-        transform_right_filter_feature_0_value_37 else ((transform_right_filter_column_1_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
+      if (transform_right_filter_column_1_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_114 := not transform_right_filter_feature_0_value;
+      end if;
+      if transform_right_filter_feature_0_value_37 then
+        transform_right_filter_feature_0_choice_115 := transform_right_filter_feature_0_choice_114;
+      else
+        transform_right_filter_feature_0_choice_115 := ((transform_right_filter_column_1_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
       transform_right_filter_feature_0_value_38 := ((transform_right_filter_column_1_2 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_116 := (not transform_right_filter_feature_0_value_38) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_115 else (not
-        transform_right_filter_feature_0_value_38) or transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choice_115 then
+        transform_right_filter_feature_0_choice_116 := (not transform_right_filter_feature_0_value_38) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_116 := (not transform_right_filter_feature_0_value_38) or
+          transform_right_filter_feature_0_value_2;
+      end if;
       transform_right_filter_feature_0_value_39 := ((transform_right_filter_column_1_2 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_117 := (not transform_right_filter_feature_0_value_39) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_116 else (not
-        transform_right_filter_feature_0_value_39) and transform_right_filter_feature_0_value_3;
+      if transform_right_filter_feature_0_choice_116 then
+        transform_right_filter_feature_0_choice_117 := (not transform_right_filter_feature_0_value_39) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_117 := (not transform_right_filter_feature_0_value_39) and
+          transform_right_filter_feature_0_value_3;
+      end if;
       transform_right_filter_feature_0_value_40 := ((transform_right_filter_column_1_2 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_118 := (not transform_right_filter_feature_0_value_40) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_117 else (not
-        transform_right_filter_feature_0_value_40) and transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choice_117 then
+        transform_right_filter_feature_0_choice_118 := (not transform_right_filter_feature_0_value_40) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_118 := (not transform_right_filter_feature_0_value_40) and
+          transform_right_filter_feature_0_value_4;
+      end if;
       transform_right_filter_feature_0_value_41 := ((transform_right_filter_column_1_2 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_119 := (not transform_right_filter_feature_0_value_41) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_118 else (not
-        transform_right_filter_feature_0_value_41) and transform_right_filter_feature_0_value_5;
+      if transform_right_filter_feature_0_choice_118 then
+        transform_right_filter_feature_0_choice_119 := (not transform_right_filter_feature_0_value_41) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_119 := (not transform_right_filter_feature_0_value_41) and
+          transform_right_filter_feature_0_value_5;
+      end if;
       transform_right_filter_feature_0_value_42 := ((transform_right_filter_column_1_2 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_120 := (not transform_right_filter_feature_0_value_42) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_119 else (not
-        transform_right_filter_feature_0_value_42) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_121 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_120 else
-        ((transform_right_filter_column_1_2 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_123 := transform_right_filter_feature_0_choice_122 when
-        ((transform_right_filter_column_1_0 / 2) mod 2) = 1 else ((transform_right_filter_column_1_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_123 else (not
-        (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_124 else (not
-        (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_125 else (not
-        (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_126 else (not
-        (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_128 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_127 else (not
-        (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_129 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_128 else
-        ((transform_right_filter_column_1_0 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      if transform_right_filter_feature_0_choice_119 then
+        transform_right_filter_feature_0_choice_120 := (not transform_right_filter_feature_0_value_42) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_120 := (not transform_right_filter_feature_0_value_42) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_120 then
+        transform_right_filter_feature_0_choice_121 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_121 := ((transform_right_filter_column_1_2 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_122 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_123 := transform_right_filter_feature_0_choice_122;
+      else
+        transform_right_filter_feature_0_choice_123 := ((transform_right_filter_column_1_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_123 then
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_124 then
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_125 then
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_126 then
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_127 then
+        transform_right_filter_feature_0_choice_128 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_128 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_128 then
+        transform_right_filter_feature_0_choice_129 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_129 := ((transform_right_filter_column_1_0 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
       transform_right_filter_feature_0_value_43 := ((transform_right_filter_column_0_1 / 2) mod 2) = 1;
-      transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_131 := transform_right_filter_feature_0_choice_130 when
-        transform_right_filter_feature_0_value_43 else ((transform_right_filter_column_0_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
+      if (transform_right_filter_column_0_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_130 := not transform_right_filter_feature_0_value;
+      end if;
+      if transform_right_filter_feature_0_value_43 then
+        transform_right_filter_feature_0_choice_131 := transform_right_filter_feature_0_choice_130;
+      else
+        transform_right_filter_feature_0_choice_131 := ((transform_right_filter_column_0_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
       transform_right_filter_feature_0_value_44 := ((transform_right_filter_column_0_1 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_132 := (not transform_right_filter_feature_0_value_44) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_131 else (not
-        transform_right_filter_feature_0_value_44) or transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choice_131 then
+        transform_right_filter_feature_0_choice_132 := (not transform_right_filter_feature_0_value_44) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_132 := (not transform_right_filter_feature_0_value_44) or
+          transform_right_filter_feature_0_value_2;
+      end if;
       transform_right_filter_feature_0_value_45 := ((transform_right_filter_column_0_1 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_133 := (not transform_right_filter_feature_0_value_45) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_132 else (not
-        transform_right_filter_feature_0_value_45) and transform_right_filter_feature_0_value_3;
+      if transform_right_filter_feature_0_choice_132 then
+        transform_right_filter_feature_0_choice_133 := (not transform_right_filter_feature_0_value_45) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_133 := (not transform_right_filter_feature_0_value_45) and
+          transform_right_filter_feature_0_value_3;
+      end if;
       transform_right_filter_feature_0_value_46 := ((transform_right_filter_column_0_1 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_134 := (not transform_right_filter_feature_0_value_46) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_133 else (not
-        transform_right_filter_feature_0_value_46) and transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choice_133 then
+        transform_right_filter_feature_0_choice_134 := (not transform_right_filter_feature_0_value_46) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_134 := (not transform_right_filter_feature_0_value_46) and
+          transform_right_filter_feature_0_value_4;
+      end if;
       transform_right_filter_feature_0_value_47 := ((transform_right_filter_column_0_1 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_135 := (not transform_right_filter_feature_0_value_47) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_134 else (not
-        transform_right_filter_feature_0_value_47) and transform_right_filter_feature_0_value_5;
+      if transform_right_filter_feature_0_choice_134 then
+        transform_right_filter_feature_0_choice_135 := (not transform_right_filter_feature_0_value_47) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_135 := (not transform_right_filter_feature_0_value_47) and
+          transform_right_filter_feature_0_value_5;
+      end if;
       transform_right_filter_feature_0_value_48 := ((transform_right_filter_column_0_1 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_136 := (not transform_right_filter_feature_0_value_48) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_135 else (not
-        transform_right_filter_feature_0_value_48) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_137 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_136 else
-        ((transform_right_filter_column_0_1 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      if transform_right_filter_feature_0_choice_135 then
+        transform_right_filter_feature_0_choice_136 := (not transform_right_filter_feature_0_value_48) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_136 := (not transform_right_filter_feature_0_value_48) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_136 then
+        transform_right_filter_feature_0_choice_137 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_137 := ((transform_right_filter_column_0_1 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
       transform_right_filter_feature_0_value_49 := ((transform_right_filter_column_0_2 / 2) mod 2) = 1;
-      transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_139 := transform_right_filter_feature_0_choice_138 when
-        transform_right_filter_feature_0_value_49 else ((transform_right_filter_column_0_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
+      if (transform_right_filter_column_0_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_138 := not transform_right_filter_feature_0_value;
+      end if;
+      if transform_right_filter_feature_0_value_49 then
+        transform_right_filter_feature_0_choice_139 := transform_right_filter_feature_0_choice_138;
+      else
+        transform_right_filter_feature_0_choice_139 := ((transform_right_filter_column_0_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
       transform_right_filter_feature_0_value_50 := ((transform_right_filter_column_0_2 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_140 := (not transform_right_filter_feature_0_value_50) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_139 else (not
-        transform_right_filter_feature_0_value_50) or transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choice_139 then
+        transform_right_filter_feature_0_choice_140 := (not transform_right_filter_feature_0_value_50) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_140 := (not transform_right_filter_feature_0_value_50) or
+          transform_right_filter_feature_0_value_2;
+      end if;
       transform_right_filter_feature_0_value_51 := ((transform_right_filter_column_0_2 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_141 := (not transform_right_filter_feature_0_value_51) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_140 else (not
-        transform_right_filter_feature_0_value_51) and transform_right_filter_feature_0_value_3;
+      if transform_right_filter_feature_0_choice_140 then
+        transform_right_filter_feature_0_choice_141 := (not transform_right_filter_feature_0_value_51) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_141 := (not transform_right_filter_feature_0_value_51) and
+          transform_right_filter_feature_0_value_3;
+      end if;
       transform_right_filter_feature_0_value_52 := ((transform_right_filter_column_0_2 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_142 := (not transform_right_filter_feature_0_value_52) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_141 else (not
-        transform_right_filter_feature_0_value_52) and transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choice_141 then
+        transform_right_filter_feature_0_choice_142 := (not transform_right_filter_feature_0_value_52) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_142 := (not transform_right_filter_feature_0_value_52) and
+          transform_right_filter_feature_0_value_4;
+      end if;
       transform_right_filter_feature_0_value_53 := ((transform_right_filter_column_0_2 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_143 := (not transform_right_filter_feature_0_value_53) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_142 else (not
-        transform_right_filter_feature_0_value_53) and transform_right_filter_feature_0_value_5;
+      if transform_right_filter_feature_0_choice_142 then
+        transform_right_filter_feature_0_choice_143 := (not transform_right_filter_feature_0_value_53) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_143 := (not transform_right_filter_feature_0_value_53) and
+          transform_right_filter_feature_0_value_5;
+      end if;
       transform_right_filter_feature_0_value_54 := ((transform_right_filter_column_0_2 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_144 := (not transform_right_filter_feature_0_value_54) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_143 else (not
-        transform_right_filter_feature_0_value_54) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_145 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_144 else
-        ((transform_right_filter_column_0_2 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
-      transform_right_filter_feature_0_choice_146 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1) when
-        (transform_right_filter_column_3_1 mod 2) = 1 else (transform_right_filter_column_0_0 mod 4) = 0;
-      transform_right_filter_feature_0_choice_147 := ((transform_right_filter_column_3_1 mod 2) = 1) or (not
-        (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) = 1))
-        when transform_right_filter_feature_0_value else transform_right_filter_feature_0_choice_146;
+      if transform_right_filter_feature_0_choice_143 then
+        transform_right_filter_feature_0_choice_144 := (not transform_right_filter_feature_0_value_54) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_144 := (not transform_right_filter_feature_0_value_54) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_144 then
+        transform_right_filter_feature_0_choice_145 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_145 := ((transform_right_filter_column_0_2 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_146 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1);
+      else
+        transform_right_filter_feature_0_choice_146 := (transform_right_filter_column_0_0 mod 4) = 0;
+      end if;
+      if transform_right_filter_feature_0_value then
+        transform_right_filter_feature_0_choice_147 := ((transform_right_filter_column_3_1 mod 2) = 1) or (not
+          (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) =
+          1));
+      else
+        transform_right_filter_feature_0_choice_147 := transform_right_filter_feature_0_choice_146;
+      end if;
       transform_right_filter_feature_0_value_55 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_148 := (not transform_right_filter_feature_0_value_2) and
-        transform_right_filter_feature_0_value_55 when transform_right_filter_feature_0_choice_147 else (not
-        transform_right_filter_feature_0_value_2) or transform_right_filter_feature_0_value_55;
+      if transform_right_filter_feature_0_choice_147 then
+        transform_right_filter_feature_0_choice_148 := (not transform_right_filter_feature_0_value_2) and
+          transform_right_filter_feature_0_value_55;
+      else
+        transform_right_filter_feature_0_choice_148 := (not transform_right_filter_feature_0_value_2) or
+          transform_right_filter_feature_0_value_55;
+      end if;
       transform_right_filter_feature_0_value_56 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_149 := (not transform_right_filter_feature_0_value_3) or
-        transform_right_filter_feature_0_value_56 when transform_right_filter_feature_0_choice_148 else (not
-        transform_right_filter_feature_0_value_3) and transform_right_filter_feature_0_value_56;
+      if transform_right_filter_feature_0_choice_148 then
+        transform_right_filter_feature_0_choice_149 := (not transform_right_filter_feature_0_value_3) or
+          transform_right_filter_feature_0_value_56;
+      else
+        transform_right_filter_feature_0_choice_149 := (not transform_right_filter_feature_0_value_3) and
+          transform_right_filter_feature_0_value_56;
+      end if;
       transform_right_filter_feature_0_value_57 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_150 := (not transform_right_filter_feature_0_value_4) or
-        transform_right_filter_feature_0_value_57 when transform_right_filter_feature_0_choice_149 else (not
-        transform_right_filter_feature_0_value_4) and transform_right_filter_feature_0_value_57;
+      if transform_right_filter_feature_0_choice_149 then
+        transform_right_filter_feature_0_choice_150 := (not transform_right_filter_feature_0_value_4) or
+          transform_right_filter_feature_0_value_57;
+      else
+        transform_right_filter_feature_0_choice_150 := (not transform_right_filter_feature_0_value_4) and
+          transform_right_filter_feature_0_value_57;
+      end if;
       transform_right_filter_feature_0_value_58 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_151 := (not transform_right_filter_feature_0_value_5) or
-        transform_right_filter_feature_0_value_58 when transform_right_filter_feature_0_choice_150 else (not
-        transform_right_filter_feature_0_value_5) and transform_right_filter_feature_0_value_58;
+      if transform_right_filter_feature_0_choice_150 then
+        transform_right_filter_feature_0_choice_151 := (not transform_right_filter_feature_0_value_5) or
+          transform_right_filter_feature_0_value_58;
+      else
+        transform_right_filter_feature_0_choice_151 := (not transform_right_filter_feature_0_value_5) and
+          transform_right_filter_feature_0_value_58;
+      end if;
       transform_right_filter_feature_0_value_59 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_152 := (not transform_right_filter_feature_0_value_6) or
-        transform_right_filter_feature_0_value_59 when transform_right_filter_feature_0_choice_151 else (not
-        transform_right_filter_feature_0_value_6) and transform_right_filter_feature_0_value_59;
-      transform_right_filter_feature_0_choice_153 := (not ((transform_right_filter_column_3_1 / 128) = 1)) or
-        ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_152 else (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
+      if transform_right_filter_feature_0_choice_151 then
+        transform_right_filter_feature_0_choice_152 := (not transform_right_filter_feature_0_value_6) or
+          transform_right_filter_feature_0_value_59;
+      else
+        transform_right_filter_feature_0_choice_152 := (not transform_right_filter_feature_0_value_6) and
+          transform_right_filter_feature_0_value_59;
+      end if;
+      if transform_right_filter_feature_0_choice_152 then
+        transform_right_filter_feature_0_choice_153 := (not ((transform_right_filter_column_3_1 / 128) = 1)) or
+          ((transform_right_filter_column_0_0 / 128) = 1);
+      else
+        transform_right_filter_feature_0_choice_153 := (not ((transform_right_filter_column_3_1 / 128) = 1)) and
+          ((transform_right_filter_column_0_0 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_154 := (as_number(transform_right_filter_feature_0_choice_137) * 2) +
           (as_number(transform_right_filter_feature_0_choice_145) * 4) +
@@ -2808,29 +4646,59 @@ begin
       else
         transform_right_filter_feature_0_choice_156 := transform_right_filter_feature_0_choice_155;
       end if;
-      transform_right_filter_feature_0_choice_157 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_158 := transform_right_filter_feature_0_choice_157 when
-        ((transform_right_filter_column_3_0 / 2) mod 2) = 1 else ((transform_right_filter_column_3_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_158 else (not
-        (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_160 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_159 else (not
-        (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_161 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_160 else (not
-        (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_162 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_161 else (not
-        (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_162 else (not
-        (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_164 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
-        ((transform_right_filter_column_3_1 / 128) = 1)) when transform_right_filter_feature_0_choice_163 else
-        ((transform_right_filter_column_3_0 / 128) = 1) or (not ((transform_right_filter_column_3_1 / 128) = 1));
+      if (transform_right_filter_column_3_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_157 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_157 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_158 := transform_right_filter_feature_0_choice_157;
+      else
+        transform_right_filter_feature_0_choice_158 := ((transform_right_filter_column_3_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_158 then
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_159 then
+        transform_right_filter_feature_0_choice_160 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_160 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_160 then
+        transform_right_filter_feature_0_choice_161 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_161 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_161 then
+        transform_right_filter_feature_0_choice_162 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_162 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_162 then
+        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_163 then
+        transform_right_filter_feature_0_choice_164 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_164 := ((transform_right_filter_column_3_0 / 128) = 1) or (not
+          ((transform_right_filter_column_3_1 / 128) = 1));
+      end if;
       if transform_filtering_0_column_inside_3 then
         transform_right_filter_feature_0_choice_165 := transform_right_filter_feature_0_choice_156 +
           (as_number(transform_right_filter_feature_0_choice_164) * 512);
@@ -2855,447 +4723,1019 @@ begin
       end if;
       transform_right_filter_feature_1_any := (not transform_right_filter_feature_0_value_13) or (not
         ((transform_right_filter_column_3_2 mod 2) = 1));
-      transform_right_filter_feature_1_choice := transform_right_filter_feature_1_any when
-        (transform_right_filter_column_6_1 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
+      if (transform_right_filter_column_6_1 mod 2) = 1 then
+        transform_right_filter_feature_1_choice := transform_right_filter_feature_1_any;
+      else
+        transform_right_filter_feature_1_choice := not transform_right_filter_feature_0_value_13;
+      end if;
       transform_right_filter_feature_1_is_equal := (transform_right_filter_column_3_2 mod 4) = 0;
-      transform_right_filter_feature_1_choice_2 := transform_right_filter_feature_1_choice when
-        transform_right_filter_feature_0_value_7 else ((transform_right_filter_column_6_1 mod 2) = 1) and
-        transform_right_filter_feature_1_is_equal;
-      transform_right_filter_feature_1_choice_3 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_2 else (not
-        (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
-      transform_right_filter_feature_1_choice_4 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_3 else (not
-        (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
-      transform_right_filter_feature_1_choice_5 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_4 else (not
-        (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
-      transform_right_filter_feature_1_choice_6 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_5 else (not
-        (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
-      transform_right_filter_feature_1_choice_7 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_6 else (not
-        (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
-      transform_right_filter_feature_1_choice_8 := ((transform_right_filter_column_6_1 / 128) = 1) and (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_7 else
-        ((transform_right_filter_column_6_1 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
-      transform_right_filter_feature_1_choice_9 := transform_right_filter_feature_1_any when
-        (transform_right_filter_column_6_2 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
-      transform_right_filter_feature_1_choice_10 := transform_right_filter_feature_1_choice_9 when
-        transform_right_filter_feature_0_value_8 else ((transform_right_filter_column_6_2 mod 2) = 1) and
-        transform_right_filter_feature_1_is_equal;
-      transform_right_filter_feature_1_choice_11 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_10 else (not
-        (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
-      transform_right_filter_feature_1_choice_12 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_11 else (not
-        (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
-      transform_right_filter_feature_1_choice_13 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_12 else (not
-        (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
-      transform_right_filter_feature_1_choice_14 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_13 else (not
-        (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
-      transform_right_filter_feature_1_choice_15 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_14 else (not
-        (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
-      transform_right_filter_feature_1_choice_16 := ((transform_right_filter_column_6_2 / 128) = 1) and (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_15 else
-        ((transform_right_filter_column_6_2 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
-      transform_right_filter_feature_1_choice_17 := transform_right_filter_feature_1_any when
-        (transform_right_filter_column_6_3 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
-      transform_right_filter_feature_1_choice_18 := transform_right_filter_feature_1_choice_17 when
-        ((transform_right_filter_column_6_3 / 2) mod 2) = 1 else ((transform_right_filter_column_6_3 mod 2) = 1) and
-        transform_right_filter_feature_1_is_equal;
-      transform_right_filter_feature_1_choice_19 := (not (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_18 else (not
-        (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
-      transform_right_filter_feature_1_choice_20 := (not (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_19 else (not
-        (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
-      transform_right_filter_feature_1_choice_21 := (not (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_20 else (not
-        (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
-      transform_right_filter_feature_1_choice_22 := (not (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_21 else (not
-        (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
-      transform_right_filter_feature_1_choice_23 := (not (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_22 else (not
-        (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
-      transform_right_filter_feature_1_choice_24 := ((transform_right_filter_column_6_3 / 128) = 1) and (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_23 else
-        ((transform_right_filter_column_6_3 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
-      transform_right_filter_feature_1_choice_25 := transform_right_filter_feature_1_any when
-        (transform_right_filter_column_5_1 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
-      transform_right_filter_feature_1_choice_26 := transform_right_filter_feature_1_choice_25 when
-        transform_right_filter_feature_0_value_9 else ((transform_right_filter_column_5_1 mod 2) = 1) and
-        transform_right_filter_feature_1_is_equal;
-      transform_right_filter_feature_1_choice_27 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_26 else (not
-        (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
-      transform_right_filter_feature_1_choice_28 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_27 else (not
-        (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
-      transform_right_filter_feature_1_choice_29 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_28 else (not
-        (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
-      transform_right_filter_feature_1_choice_30 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_29 else (not
-        (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
-      transform_right_filter_feature_1_choice_31 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_30 else (not
-        (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
-      transform_right_filter_feature_1_choice_32 := ((transform_right_filter_column_5_1 / 128) = 1) and (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_31 else
-        ((transform_right_filter_column_5_1 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
-      transform_right_filter_feature_1_choice_33 := transform_right_filter_feature_1_any when
-        (transform_right_filter_column_5_2 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
-      transform_right_filter_feature_1_choice_34 := transform_right_filter_feature_1_choice_33 when
-        transform_right_filter_feature_0_value_10 else ((transform_right_filter_column_5_2 mod 2) = 1) and
-        transform_right_filter_feature_1_is_equal;
-      transform_right_filter_feature_1_choice_35 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_34 else (not
-        (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
-      transform_right_filter_feature_1_choice_36 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_35 else (not
-        (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
-      transform_right_filter_feature_1_choice_37 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_36 else (not
-        (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
-      transform_right_filter_feature_1_choice_38 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_37 else (not
-        (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
-      transform_right_filter_feature_1_choice_39 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_38 else (not
-        (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
-      transform_right_filter_feature_1_choice_40 := ((transform_right_filter_column_5_2 / 128) = 1) and (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_39 else
-        ((transform_right_filter_column_5_2 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
-      transform_right_filter_feature_1_choice_41 := transform_right_filter_feature_1_any when
-        (transform_right_filter_column_5_3 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
-      transform_right_filter_feature_1_choice_42 := transform_right_filter_feature_1_choice_41 when
-        ((transform_right_filter_column_5_3 / 2) mod 2) = 1 else ((transform_right_filter_column_5_3 mod 2) = 1) and
-        transform_right_filter_feature_1_is_equal;
-      transform_right_filter_feature_1_choice_43 := (not (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_42 else (not
-        (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
-      transform_right_filter_feature_1_choice_44 := (not (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_43 else (not
-        (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
-      transform_right_filter_feature_1_choice_45 := (not (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_44 else (not
-        (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
-      transform_right_filter_feature_1_choice_46 := (not (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_45 else (not
-        (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
-      transform_right_filter_feature_1_choice_47 := (not (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_46 else (not
-        (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
-      transform_right_filter_feature_1_choice_48 := ((transform_right_filter_column_5_3 / 128) = 1) and (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_47 else
-        ((transform_right_filter_column_5_3 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
-      transform_right_filter_feature_1_choice_49 := transform_right_filter_feature_1_any when
-        (transform_right_filter_column_4_1 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
-      transform_right_filter_feature_1_choice_50 := transform_right_filter_feature_1_choice_49 when
-        transform_right_filter_feature_0_value_11 else ((transform_right_filter_column_4_1 mod 2) = 1) and
-        transform_right_filter_feature_1_is_equal;
-      transform_right_filter_feature_1_choice_51 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_50 else (not
-        (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
-      transform_right_filter_feature_1_choice_52 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_51 else (not
-        (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
-      transform_right_filter_feature_1_choice_53 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_52 else (not
-        (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
-      transform_right_filter_feature_1_choice_54 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_53 else (not
-        (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
-      transform_right_filter_feature_1_choice_55 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_54 else (not
-        (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
-      transform_right_filter_feature_1_choice_56 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_55 else
-        ((transform_right_filter_column_4_1 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
-      transform_right_filter_feature_1_choice_57 := transform_right_filter_feature_1_any when
-        (transform_right_filter_column_4_2 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
-      transform_right_filter_feature_1_choice_58 := transform_right_filter_feature_1_choice_57 when
-        transform_right_filter_feature_0_value_12 else ((transform_right_filter_column_4_2 mod 2) = 1) and
-        transform_right_filter_feature_1_is_equal;
-      transform_right_filter_feature_1_choice_59 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_58 else (not
-        (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
-      transform_right_filter_feature_1_choice_60 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_59 else (not
-        (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
-      transform_right_filter_feature_1_choice_61 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_60 else (not
-        (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
-      transform_right_filter_feature_1_choice_62 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_61 else (not
-        (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
-      transform_right_filter_feature_1_choice_63 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_62 else (not
-        (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
-      transform_right_filter_feature_1_choice_64 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_63 else
-        ((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
-      transform_right_filter_feature_1_choice_65 := transform_right_filter_feature_1_any when
-        (transform_right_filter_column_4_3 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
-      transform_right_filter_feature_1_choice_66 := transform_right_filter_feature_1_choice_65 when
-        ((transform_right_filter_column_4_3 / 2) mod 2) = 1 else ((transform_right_filter_column_4_3 mod 2) = 1) and
-        transform_right_filter_feature_1_is_equal;
-      transform_right_filter_feature_1_choice_67 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_66 else (not
-        (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
-      transform_right_filter_feature_1_choice_68 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_67 else (not
-        (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
-      transform_right_filter_feature_1_choice_69 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_68 else (not
-        (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
-      transform_right_filter_feature_1_choice_70 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_69 else (not
-        (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
-      transform_right_filter_feature_1_choice_71 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_70 else (not
-        (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
-      transform_right_filter_feature_1_choice_72 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_71 else
-        ((transform_right_filter_column_4_3 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
-      transform_right_filter_feature_1_choice_73 := transform_right_filter_feature_1_any when
-        (transform_right_filter_column_3_3 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
-      transform_right_filter_feature_1_choice_74 := transform_right_filter_feature_1_choice_73 when
-        ((transform_right_filter_column_3_3 / 2) mod 2) = 1 else ((transform_right_filter_column_3_3 mod 2) = 1) and
-        transform_right_filter_feature_1_is_equal;
-      transform_right_filter_feature_1_choice_75 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_74 else (not
-        (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
-      transform_right_filter_feature_1_choice_76 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_75 else (not
-        (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
-      transform_right_filter_feature_1_choice_77 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_76 else (not
-        (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
-      transform_right_filter_feature_1_choice_78 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_77 else (not
-        (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
-      transform_right_filter_feature_1_choice_79 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_78 else (not
-        (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
-      transform_right_filter_feature_1_choice_80 := transform_filtering_0_column_inside_3 when
-        (transform_right_filter_column_3_3 / 128) = 1 else (not ((transform_right_filter_column_3_2 / 128) = 1)) and
-        transform_filtering_0_column_inside_3;
-      transform_right_filter_feature_1_choice_81 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) and transform_filtering_0_column_inside_3 when
-        transform_right_filter_feature_1_choice_79 else transform_right_filter_feature_1_choice_80;
-      transform_right_filter_feature_1_choice_82 := not transform_right_filter_feature_0_value_25 when
-        (transform_right_filter_column_3_2 mod 2) = 1 else (transform_right_filter_column_2_2 mod 4) = 0;
-      transform_right_filter_feature_1_choice_83 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
-        transform_right_filter_feature_0_value_25) or (not ((transform_right_filter_column_2_2 mod 2) = 1)) when
-        transform_right_filter_feature_0_value_13 else transform_right_filter_feature_1_choice_82;
-      transform_right_filter_feature_1_choice_84 := (not transform_right_filter_feature_0_value_14) and
-        transform_right_filter_feature_0_value_26 when transform_right_filter_feature_1_choice_83 else (not
-        transform_right_filter_feature_0_value_14) or transform_right_filter_feature_0_value_26;
-      transform_right_filter_feature_1_choice_85 := (not transform_right_filter_feature_0_value_15) or
-        transform_right_filter_feature_0_value_27 when transform_right_filter_feature_1_choice_84 else (not
-        transform_right_filter_feature_0_value_15) and transform_right_filter_feature_0_value_27;
-      transform_right_filter_feature_1_choice_86 := (not transform_right_filter_feature_0_value_16) or
-        transform_right_filter_feature_0_value_28 when transform_right_filter_feature_1_choice_85 else (not
-        transform_right_filter_feature_0_value_16) and transform_right_filter_feature_0_value_28;
-      transform_right_filter_feature_1_choice_87 := (not transform_right_filter_feature_0_value_17) or
-        transform_right_filter_feature_0_value_29 when transform_right_filter_feature_1_choice_86 else (not
-        transform_right_filter_feature_0_value_17) and transform_right_filter_feature_0_value_29;
-      transform_right_filter_feature_1_choice_88 := (not transform_right_filter_feature_0_value_18) or
-        transform_right_filter_feature_0_value_30 when transform_right_filter_feature_1_choice_87 else (not
-        transform_right_filter_feature_0_value_18) and transform_right_filter_feature_0_value_30;
-      transform_right_filter_feature_1_choice_89 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
-        ((transform_right_filter_column_2_2 / 128) = 1) when transform_right_filter_feature_1_choice_88 else (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_2_2 / 128) = 1);
-      transform_right_filter_feature_1_choice_90 := transform_right_filter_feature_1_any when
-        (transform_right_filter_column_2_3 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
-      transform_right_filter_feature_1_choice_91 := transform_right_filter_feature_1_choice_90 when
-        ((transform_right_filter_column_2_3 / 2) mod 2) = 1 else ((transform_right_filter_column_2_3 mod 2) = 1) and
-        transform_right_filter_feature_1_is_equal;
-      transform_right_filter_feature_1_choice_92 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_91 else (not
-        (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
-      transform_right_filter_feature_1_choice_93 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_92 else (not
-        (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
-      transform_right_filter_feature_1_choice_94 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_93 else (not
-        (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
-      transform_right_filter_feature_1_choice_95 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_94 else (not
-        (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
-      transform_right_filter_feature_1_choice_96 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_95 else (not
-        (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
-      transform_right_filter_feature_1_choice_97 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_96 else
-        ((transform_right_filter_column_2_3 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
-      transform_right_filter_feature_1_choice_98 := not transform_right_filter_feature_0_value_19 when
-        (transform_right_filter_column_3_2 mod 2) = 1 else (transform_right_filter_column_2_1 mod 4) = 0;
-      transform_right_filter_feature_1_choice_99 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
-        transform_right_filter_feature_0_value_19) or (not ((transform_right_filter_column_2_1 mod 2) = 1)) when
-        transform_right_filter_feature_0_value_13 else transform_right_filter_feature_1_choice_98;
-      transform_right_filter_feature_1_choice_100 := (not transform_right_filter_feature_0_value_14) and
-        transform_right_filter_feature_0_value_20 when transform_right_filter_feature_1_choice_99 else (not
-        transform_right_filter_feature_0_value_14) or transform_right_filter_feature_0_value_20;
-      transform_right_filter_feature_1_choice_101 := (not transform_right_filter_feature_0_value_15) or
-        transform_right_filter_feature_0_value_21 when transform_right_filter_feature_1_choice_100 else (not
-        transform_right_filter_feature_0_value_15) and transform_right_filter_feature_0_value_21;
-      transform_right_filter_feature_1_choice_102 := (not transform_right_filter_feature_0_value_16) or
-        transform_right_filter_feature_0_value_22 when transform_right_filter_feature_1_choice_101 else (not
-        transform_right_filter_feature_0_value_16) and transform_right_filter_feature_0_value_22;
-      transform_right_filter_feature_1_choice_103 := (not transform_right_filter_feature_0_value_17) or
-        transform_right_filter_feature_0_value_23 when transform_right_filter_feature_1_choice_102 else (not
-        transform_right_filter_feature_0_value_17) and transform_right_filter_feature_0_value_23;
-      transform_right_filter_feature_1_choice_104 := (not transform_right_filter_feature_0_value_18) or
-        transform_right_filter_feature_0_value_24 when transform_right_filter_feature_1_choice_103 else (not
-        transform_right_filter_feature_0_value_18) and transform_right_filter_feature_0_value_24;
-      transform_right_filter_feature_1_choice_105 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
-        ((transform_right_filter_column_2_1 / 128) = 1) when transform_right_filter_feature_1_choice_104 else (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_2_1 / 128) = 1);
-      transform_right_filter_feature_1_choice_106 := not transform_right_filter_feature_0_value_37 when
-        (transform_right_filter_column_3_2 mod 2) = 1 else (transform_right_filter_column_1_2 mod 4) = 0;
-      transform_right_filter_feature_1_choice_107 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
-        transform_right_filter_feature_0_value_37) or (not ((transform_right_filter_column_1_2 mod 2) = 1)) when
-        transform_right_filter_feature_0_value_13 else transform_right_filter_feature_1_choice_106;
-      transform_right_filter_feature_1_choice_108 := (not transform_right_filter_feature_0_value_14) and
-        transform_right_filter_feature_0_value_38 when transform_right_filter_feature_1_choice_107 else (not
-        transform_right_filter_feature_0_value_14) or transform_right_filter_feature_0_value_38;
-      transform_right_filter_feature_1_choice_109 := (not transform_right_filter_feature_0_value_15) or
-        transform_right_filter_feature_0_value_39 when transform_right_filter_feature_1_choice_108 else (not
-        transform_right_filter_feature_0_value_15) and transform_right_filter_feature_0_value_39;
-      transform_right_filter_feature_1_choice_110 := (not transform_right_filter_feature_0_value_16) or
-        transform_right_filter_feature_0_value_40 when transform_right_filter_feature_1_choice_109 else (not
-        transform_right_filter_feature_0_value_16) and transform_right_filter_feature_0_value_40;
-      transform_right_filter_feature_1_choice_111 := (not transform_right_filter_feature_0_value_17) or
-        transform_right_filter_feature_0_value_41 when transform_right_filter_feature_1_choice_110 else (not
-        transform_right_filter_feature_0_value_17) and transform_right_filter_feature_0_value_41;
-      transform_right_filter_feature_1_choice_112 := (not transform_right_filter_feature_0_value_18) or
-        transform_right_filter_feature_0_value_42 when transform_right_filter_feature_1_choice_111 else (not
-        transform_right_filter_feature_0_value_18) and transform_right_filter_feature_0_value_42;
-      transform_right_filter_feature_1_choice_113 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
-        ((transform_right_filter_column_1_2 / 128) = 1) when transform_right_filter_feature_1_choice_112 else (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_1_2 / 128) = 1);
-      transform_right_filter_feature_1_choice_114 := transform_right_filter_feature_1_any when
-        (transform_right_filter_column_1_3 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
-      transform_right_filter_feature_1_choice_115 := transform_right_filter_feature_1_choice_114 when
-        ((transform_right_filter_column_1_3 / 2) mod 2) = 1 else ((transform_right_filter_column_1_3 mod 2) = 1) and
-        transform_right_filter_feature_1_is_equal;
-      transform_right_filter_feature_1_choice_116 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_115 else (not
-        (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
-      transform_right_filter_feature_1_choice_117 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_116 else (not
-        (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
-      transform_right_filter_feature_1_choice_118 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_117 else (not
-        (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
-      transform_right_filter_feature_1_choice_119 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_118 else (not
-        (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
-      transform_right_filter_feature_1_choice_120 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_119 else (not
-        (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
-      transform_right_filter_feature_1_choice_121 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_120 else
-        ((transform_right_filter_column_1_3 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
-      transform_right_filter_feature_1_choice_122 := not transform_right_filter_feature_0_value_31 when
-        (transform_right_filter_column_3_2 mod 2) = 1 else (transform_right_filter_column_1_1 mod 4) = 0;
-      transform_right_filter_feature_1_choice_123 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
-        transform_right_filter_feature_0_value_31) or (not ((transform_right_filter_column_1_1 mod 2) = 1)) when
-        transform_right_filter_feature_0_value_13 else transform_right_filter_feature_1_choice_122;
-      transform_right_filter_feature_1_choice_124 := (not transform_right_filter_feature_0_value_14) and
-        transform_right_filter_feature_0_value_32 when transform_right_filter_feature_1_choice_123 else (not
-        transform_right_filter_feature_0_value_14) or transform_right_filter_feature_0_value_32;
-      transform_right_filter_feature_1_choice_125 := (not transform_right_filter_feature_0_value_15) or
-        transform_right_filter_feature_0_value_33 when transform_right_filter_feature_1_choice_124 else (not
-        transform_right_filter_feature_0_value_15) and transform_right_filter_feature_0_value_33;
-      transform_right_filter_feature_1_choice_126 := (not transform_right_filter_feature_0_value_16) or
-        transform_right_filter_feature_0_value_34 when transform_right_filter_feature_1_choice_125 else (not
-        transform_right_filter_feature_0_value_16) and transform_right_filter_feature_0_value_34;
-      transform_right_filter_feature_1_choice_127 := (not transform_right_filter_feature_0_value_17) or
-        transform_right_filter_feature_0_value_35 when transform_right_filter_feature_1_choice_126 else (not
-        transform_right_filter_feature_0_value_17) and transform_right_filter_feature_0_value_35;
-      transform_right_filter_feature_1_choice_128 := (not transform_right_filter_feature_0_value_18) or
-        transform_right_filter_feature_0_value_36 when transform_right_filter_feature_1_choice_127 else (not
-        transform_right_filter_feature_0_value_18) and transform_right_filter_feature_0_value_36;
-      transform_right_filter_feature_1_choice_129 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
-        ((transform_right_filter_column_1_1 / 128) = 1) when transform_right_filter_feature_1_choice_128 else (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_1_1 / 128) = 1);
-      transform_right_filter_feature_1_choice_130 := not transform_right_filter_feature_0_value_49 when
-        (transform_right_filter_column_3_2 mod 2) = 1 else (transform_right_filter_column_0_2 mod 4) = 0;
-      transform_right_filter_feature_1_choice_131 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
-        transform_right_filter_feature_0_value_49) or (not ((transform_right_filter_column_0_2 mod 2) = 1)) when
-        transform_right_filter_feature_0_value_13 else transform_right_filter_feature_1_choice_130;
-      transform_right_filter_feature_1_choice_132 := (not transform_right_filter_feature_0_value_14) and
-        transform_right_filter_feature_0_value_50 when transform_right_filter_feature_1_choice_131 else (not
-        transform_right_filter_feature_0_value_14) or transform_right_filter_feature_0_value_50;
-      transform_right_filter_feature_1_choice_133 := (not transform_right_filter_feature_0_value_15) or
-        transform_right_filter_feature_0_value_51 when transform_right_filter_feature_1_choice_132 else (not
-        transform_right_filter_feature_0_value_15) and transform_right_filter_feature_0_value_51;
-      transform_right_filter_feature_1_choice_134 := (not transform_right_filter_feature_0_value_16) or
-        transform_right_filter_feature_0_value_52 when transform_right_filter_feature_1_choice_133 else (not
-        transform_right_filter_feature_0_value_16) and transform_right_filter_feature_0_value_52;
-      transform_right_filter_feature_1_choice_135 := (not transform_right_filter_feature_0_value_17) or
-        transform_right_filter_feature_0_value_53 when transform_right_filter_feature_1_choice_134 else (not
-        transform_right_filter_feature_0_value_17) and transform_right_filter_feature_0_value_53;
-      transform_right_filter_feature_1_choice_136 := (not transform_right_filter_feature_0_value_18) or
-        transform_right_filter_feature_0_value_54 when transform_right_filter_feature_1_choice_135 else (not
-        transform_right_filter_feature_0_value_18) and transform_right_filter_feature_0_value_54;
-      transform_right_filter_feature_1_choice_137 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
-        ((transform_right_filter_column_0_2 / 128) = 1) when transform_right_filter_feature_1_choice_136 else (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_0_2 / 128) = 1);
-      transform_right_filter_feature_1_choice_138 := transform_right_filter_feature_1_any when
-        (transform_right_filter_column_0_3 mod 2) = 1 else not transform_right_filter_feature_0_value_13;
-      transform_right_filter_feature_1_choice_139 := transform_right_filter_feature_1_choice_138 when
-        ((transform_right_filter_column_0_3 / 2) mod 2) = 1 else ((transform_right_filter_column_0_3 mod 2) = 1) and
-        transform_right_filter_feature_1_is_equal;
-      transform_right_filter_feature_1_choice_140 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_14 when transform_right_filter_feature_1_choice_139 else (not
-        (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_14;
-      transform_right_filter_feature_1_choice_141 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_15 when transform_right_filter_feature_1_choice_140 else (not
-        (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_15;
-      transform_right_filter_feature_1_choice_142 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_16 when transform_right_filter_feature_1_choice_141 else (not
-        (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_16;
-      transform_right_filter_feature_1_choice_143 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_17 when transform_right_filter_feature_1_choice_142 else (not
-        (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_17;
-      transform_right_filter_feature_1_choice_144 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_18 when transform_right_filter_feature_1_choice_143 else (not
-        (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_18;
-      transform_right_filter_feature_1_choice_145 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) when transform_right_filter_feature_1_choice_144 else
-        ((transform_right_filter_column_0_3 / 128) = 1) or (not ((transform_right_filter_column_3_2 / 128) = 1));
-      transform_right_filter_feature_1_choice_146 := not transform_right_filter_feature_0_value_43 when
-        (transform_right_filter_column_3_2 mod 2) = 1 else (transform_right_filter_column_0_1 mod 4) = 0;
-      transform_right_filter_feature_1_choice_147 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
-        transform_right_filter_feature_0_value_43) or (not ((transform_right_filter_column_0_1 mod 2) = 1)) when
-        transform_right_filter_feature_0_value_13 else transform_right_filter_feature_1_choice_146;
-      transform_right_filter_feature_1_choice_148 := (not transform_right_filter_feature_0_value_14) and
-        transform_right_filter_feature_0_value_44 when transform_right_filter_feature_1_choice_147 else (not
-        transform_right_filter_feature_0_value_14) or transform_right_filter_feature_0_value_44;
-      transform_right_filter_feature_1_choice_149 := (not transform_right_filter_feature_0_value_15) or
-        transform_right_filter_feature_0_value_45 when transform_right_filter_feature_1_choice_148 else (not
-        transform_right_filter_feature_0_value_15) and transform_right_filter_feature_0_value_45;
-      transform_right_filter_feature_1_choice_150 := (not transform_right_filter_feature_0_value_16) or
-        transform_right_filter_feature_0_value_46 when transform_right_filter_feature_1_choice_149 else (not
-        transform_right_filter_feature_0_value_16) and transform_right_filter_feature_0_value_46;
-      transform_right_filter_feature_1_choice_151 := (not transform_right_filter_feature_0_value_17) or
-        transform_right_filter_feature_0_value_47 when transform_right_filter_feature_1_choice_150 else (not
-        transform_right_filter_feature_0_value_17) and transform_right_filter_feature_0_value_47;
-      transform_right_filter_feature_1_choice_152 := (not transform_right_filter_feature_0_value_18) or
-        transform_right_filter_feature_0_value_48 when transform_right_filter_feature_1_choice_151 else (not
-        transform_right_filter_feature_0_value_18) and transform_right_filter_feature_0_value_48;
-      transform_right_filter_feature_1_choice_153 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
-        ((transform_right_filter_column_0_1 / 128) = 1) when transform_right_filter_feature_1_choice_152 else (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_0_1 / 128) = 1);
+      if transform_right_filter_feature_0_value_7 then
+        transform_right_filter_feature_1_choice_2 := transform_right_filter_feature_1_choice;
+      else
+        transform_right_filter_feature_1_choice_2 := ((transform_right_filter_column_6_1 mod 2) = 1) and
+          transform_right_filter_feature_1_is_equal;
+      end if;
+      if transform_right_filter_feature_1_choice_2 then
+        transform_right_filter_feature_1_choice_3 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_14;
+      else
+        transform_right_filter_feature_1_choice_3 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_14;
+      end if;
+      if transform_right_filter_feature_1_choice_3 then
+        transform_right_filter_feature_1_choice_4 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_15;
+      else
+        transform_right_filter_feature_1_choice_4 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_15;
+      end if;
+      if transform_right_filter_feature_1_choice_4 then
+        transform_right_filter_feature_1_choice_5 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_16;
+      else
+        transform_right_filter_feature_1_choice_5 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_16;
+      end if;
+      if transform_right_filter_feature_1_choice_5 then
+        transform_right_filter_feature_1_choice_6 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_17;
+      else
+        transform_right_filter_feature_1_choice_6 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_17;
+      end if;
+      if transform_right_filter_feature_1_choice_6 then
+        transform_right_filter_feature_1_choice_7 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_18;
+      else
+        transform_right_filter_feature_1_choice_7 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_18;
+      end if;
+      if transform_right_filter_feature_1_choice_7 then
+        transform_right_filter_feature_1_choice_8 := ((transform_right_filter_column_6_1 / 128) = 1) and (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      else
+        transform_right_filter_feature_1_choice_8 := ((transform_right_filter_column_6_1 / 128) = 1) or (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_6_2 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_9 := transform_right_filter_feature_1_any;
+      else
+        transform_right_filter_feature_1_choice_9 := not transform_right_filter_feature_0_value_13;
+      end if;
+      if transform_right_filter_feature_0_value_8 then
+        transform_right_filter_feature_1_choice_10 := transform_right_filter_feature_1_choice_9;
+      else
+        transform_right_filter_feature_1_choice_10 := ((transform_right_filter_column_6_2 mod 2) = 1) and
+          transform_right_filter_feature_1_is_equal;
+      end if;
+      if transform_right_filter_feature_1_choice_10 then
+        transform_right_filter_feature_1_choice_11 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_14;
+      else
+        transform_right_filter_feature_1_choice_11 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_14;
+      end if;
+      if transform_right_filter_feature_1_choice_11 then
+        transform_right_filter_feature_1_choice_12 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_15;
+      else
+        transform_right_filter_feature_1_choice_12 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_15;
+      end if;
+      if transform_right_filter_feature_1_choice_12 then
+        transform_right_filter_feature_1_choice_13 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_16;
+      else
+        transform_right_filter_feature_1_choice_13 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_16;
+      end if;
+      if transform_right_filter_feature_1_choice_13 then
+        transform_right_filter_feature_1_choice_14 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_17;
+      else
+        transform_right_filter_feature_1_choice_14 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_17;
+      end if;
+      if transform_right_filter_feature_1_choice_14 then
+        transform_right_filter_feature_1_choice_15 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_18;
+      else
+        transform_right_filter_feature_1_choice_15 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_18;
+      end if;
+      if transform_right_filter_feature_1_choice_15 then
+        transform_right_filter_feature_1_choice_16 := ((transform_right_filter_column_6_2 / 128) = 1) and (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      else
+        transform_right_filter_feature_1_choice_16 := ((transform_right_filter_column_6_2 / 128) = 1) or (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_6_3 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_17 := transform_right_filter_feature_1_any;
+      else
+        transform_right_filter_feature_1_choice_17 := not transform_right_filter_feature_0_value_13;
+      end if;
+      if ((transform_right_filter_column_6_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_1_choice_18 := transform_right_filter_feature_1_choice_17;
+      else
+        transform_right_filter_feature_1_choice_18 := ((transform_right_filter_column_6_3 mod 2) = 1) and
+          transform_right_filter_feature_1_is_equal;
+      end if;
+      if transform_right_filter_feature_1_choice_18 then
+        transform_right_filter_feature_1_choice_19 := (not (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_14;
+      else
+        transform_right_filter_feature_1_choice_19 := (not (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_14;
+      end if;
+      if transform_right_filter_feature_1_choice_19 then
+        transform_right_filter_feature_1_choice_20 := (not (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_15;
+      else
+        transform_right_filter_feature_1_choice_20 := (not (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_15;
+      end if;
+      if transform_right_filter_feature_1_choice_20 then
+        transform_right_filter_feature_1_choice_21 := (not (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_16;
+      else
+        transform_right_filter_feature_1_choice_21 := (not (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_16;
+      end if;
+      if transform_right_filter_feature_1_choice_21 then
+        transform_right_filter_feature_1_choice_22 := (not (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_17;
+      else
+        transform_right_filter_feature_1_choice_22 := (not (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_17;
+      end if;
+      if transform_right_filter_feature_1_choice_22 then
+        transform_right_filter_feature_1_choice_23 := (not (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_18;
+      else
+        transform_right_filter_feature_1_choice_23 := (not (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_18;
+      end if;
+      if transform_right_filter_feature_1_choice_23 then
+        transform_right_filter_feature_1_choice_24 := ((transform_right_filter_column_6_3 / 128) = 1) and (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      else
+        transform_right_filter_feature_1_choice_24 := ((transform_right_filter_column_6_3 / 128) = 1) or (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_1 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_25 := transform_right_filter_feature_1_any;
+      else
+        transform_right_filter_feature_1_choice_25 := not transform_right_filter_feature_0_value_13;
+      end if;
+      if transform_right_filter_feature_0_value_9 then
+        transform_right_filter_feature_1_choice_26 := transform_right_filter_feature_1_choice_25;
+      else
+        transform_right_filter_feature_1_choice_26 := ((transform_right_filter_column_5_1 mod 2) = 1) and
+          transform_right_filter_feature_1_is_equal;
+      end if;
+      if transform_right_filter_feature_1_choice_26 then
+        transform_right_filter_feature_1_choice_27 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_14;
+      else
+        transform_right_filter_feature_1_choice_27 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_14;
+      end if;
+      if transform_right_filter_feature_1_choice_27 then
+        transform_right_filter_feature_1_choice_28 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_15;
+      else
+        transform_right_filter_feature_1_choice_28 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_15;
+      end if;
+      if transform_right_filter_feature_1_choice_28 then
+        transform_right_filter_feature_1_choice_29 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_16;
+      else
+        transform_right_filter_feature_1_choice_29 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_16;
+      end if;
+      if transform_right_filter_feature_1_choice_29 then
+        transform_right_filter_feature_1_choice_30 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_17;
+      else
+        transform_right_filter_feature_1_choice_30 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_17;
+      end if;
+      if transform_right_filter_feature_1_choice_30 then
+        transform_right_filter_feature_1_choice_31 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_18;
+      else
+        transform_right_filter_feature_1_choice_31 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_18;
+      end if;
+      if transform_right_filter_feature_1_choice_31 then
+        transform_right_filter_feature_1_choice_32 := ((transform_right_filter_column_5_1 / 128) = 1) and (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      else
+        transform_right_filter_feature_1_choice_32 := ((transform_right_filter_column_5_1 / 128) = 1) or (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_2 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_33 := transform_right_filter_feature_1_any;
+      else
+        transform_right_filter_feature_1_choice_33 := not transform_right_filter_feature_0_value_13;
+      end if;
+      if transform_right_filter_feature_0_value_10 then
+        transform_right_filter_feature_1_choice_34 := transform_right_filter_feature_1_choice_33;
+      else
+        transform_right_filter_feature_1_choice_34 := ((transform_right_filter_column_5_2 mod 2) = 1) and
+          transform_right_filter_feature_1_is_equal;
+      end if;
+      if transform_right_filter_feature_1_choice_34 then
+        transform_right_filter_feature_1_choice_35 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_14;
+      else
+        transform_right_filter_feature_1_choice_35 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_14;
+      end if;
+      if transform_right_filter_feature_1_choice_35 then
+        transform_right_filter_feature_1_choice_36 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_15;
+      else
+        transform_right_filter_feature_1_choice_36 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_15;
+      end if;
+      if transform_right_filter_feature_1_choice_36 then
+        transform_right_filter_feature_1_choice_37 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_16;
+      else
+        transform_right_filter_feature_1_choice_37 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_16;
+      end if;
+      if transform_right_filter_feature_1_choice_37 then
+        transform_right_filter_feature_1_choice_38 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_17;
+      else
+        transform_right_filter_feature_1_choice_38 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_17;
+      end if;
+      if transform_right_filter_feature_1_choice_38 then
+        transform_right_filter_feature_1_choice_39 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_18;
+      else
+        transform_right_filter_feature_1_choice_39 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_18;
+      end if;
+      if transform_right_filter_feature_1_choice_39 then
+        transform_right_filter_feature_1_choice_40 := ((transform_right_filter_column_5_2 / 128) = 1) and (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      else
+        transform_right_filter_feature_1_choice_40 := ((transform_right_filter_column_5_2 / 128) = 1) or (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_3 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_41 := transform_right_filter_feature_1_any;
+      else
+        transform_right_filter_feature_1_choice_41 := not transform_right_filter_feature_0_value_13;
+      end if;
+      if ((transform_right_filter_column_5_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_1_choice_42 := transform_right_filter_feature_1_choice_41;
+      else
+        transform_right_filter_feature_1_choice_42 := ((transform_right_filter_column_5_3 mod 2) = 1) and
+          transform_right_filter_feature_1_is_equal;
+      end if;
+      if transform_right_filter_feature_1_choice_42 then
+        transform_right_filter_feature_1_choice_43 := (not (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_14;
+      else
+        transform_right_filter_feature_1_choice_43 := (not (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_14;
+      end if;
+      if transform_right_filter_feature_1_choice_43 then
+        transform_right_filter_feature_1_choice_44 := (not (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_15;
+      else
+        transform_right_filter_feature_1_choice_44 := (not (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_15;
+      end if;
+      if transform_right_filter_feature_1_choice_44 then
+        transform_right_filter_feature_1_choice_45 := (not (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_16;
+      else
+        transform_right_filter_feature_1_choice_45 := (not (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_16;
+      end if;
+      if transform_right_filter_feature_1_choice_45 then
+        transform_right_filter_feature_1_choice_46 := (not (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_17;
+      else
+        transform_right_filter_feature_1_choice_46 := (not (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_17;
+      end if;
+      if transform_right_filter_feature_1_choice_46 then
+        transform_right_filter_feature_1_choice_47 := (not (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_18;
+      else
+        transform_right_filter_feature_1_choice_47 := (not (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_18;
+      end if;
+      if transform_right_filter_feature_1_choice_47 then
+        transform_right_filter_feature_1_choice_48 := ((transform_right_filter_column_5_3 / 128) = 1) and (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      else
+        transform_right_filter_feature_1_choice_48 := ((transform_right_filter_column_5_3 / 128) = 1) or (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_1 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_49 := transform_right_filter_feature_1_any;
+      else
+        transform_right_filter_feature_1_choice_49 := not transform_right_filter_feature_0_value_13;
+      end if;
+      if transform_right_filter_feature_0_value_11 then
+        transform_right_filter_feature_1_choice_50 := transform_right_filter_feature_1_choice_49;
+      else
+        transform_right_filter_feature_1_choice_50 := ((transform_right_filter_column_4_1 mod 2) = 1) and
+          transform_right_filter_feature_1_is_equal;
+      end if;
+      if transform_right_filter_feature_1_choice_50 then
+        transform_right_filter_feature_1_choice_51 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_14;
+      else
+        transform_right_filter_feature_1_choice_51 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_14;
+      end if;
+      if transform_right_filter_feature_1_choice_51 then
+        transform_right_filter_feature_1_choice_52 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_15;
+      else
+        transform_right_filter_feature_1_choice_52 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_15;
+      end if;
+      if transform_right_filter_feature_1_choice_52 then
+        transform_right_filter_feature_1_choice_53 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_16;
+      else
+        transform_right_filter_feature_1_choice_53 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_16;
+      end if;
+      if transform_right_filter_feature_1_choice_53 then
+        transform_right_filter_feature_1_choice_54 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_17;
+      else
+        transform_right_filter_feature_1_choice_54 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_17;
+      end if;
+      if transform_right_filter_feature_1_choice_54 then
+        transform_right_filter_feature_1_choice_55 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_18;
+      else
+        transform_right_filter_feature_1_choice_55 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_18;
+      end if;
+      if transform_right_filter_feature_1_choice_55 then
+        transform_right_filter_feature_1_choice_56 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      else
+        transform_right_filter_feature_1_choice_56 := ((transform_right_filter_column_4_1 / 128) = 1) or (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_2 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_57 := transform_right_filter_feature_1_any;
+      else
+        transform_right_filter_feature_1_choice_57 := not transform_right_filter_feature_0_value_13;
+      end if;
+      if transform_right_filter_feature_0_value_12 then
+        transform_right_filter_feature_1_choice_58 := transform_right_filter_feature_1_choice_57;
+      else
+        transform_right_filter_feature_1_choice_58 := ((transform_right_filter_column_4_2 mod 2) = 1) and
+          transform_right_filter_feature_1_is_equal;
+      end if;
+      if transform_right_filter_feature_1_choice_58 then
+        transform_right_filter_feature_1_choice_59 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_14;
+      else
+        transform_right_filter_feature_1_choice_59 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_14;
+      end if;
+      if transform_right_filter_feature_1_choice_59 then
+        transform_right_filter_feature_1_choice_60 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_15;
+      else
+        transform_right_filter_feature_1_choice_60 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_15;
+      end if;
+      if transform_right_filter_feature_1_choice_60 then
+        transform_right_filter_feature_1_choice_61 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_16;
+      else
+        transform_right_filter_feature_1_choice_61 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_16;
+      end if;
+      if transform_right_filter_feature_1_choice_61 then
+        transform_right_filter_feature_1_choice_62 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_17;
+      else
+        transform_right_filter_feature_1_choice_62 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_17;
+      end if;
+      if transform_right_filter_feature_1_choice_62 then
+        transform_right_filter_feature_1_choice_63 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_18;
+      else
+        transform_right_filter_feature_1_choice_63 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_18;
+      end if;
+      if transform_right_filter_feature_1_choice_63 then
+        transform_right_filter_feature_1_choice_64 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      else
+        transform_right_filter_feature_1_choice_64 := ((transform_right_filter_column_4_2 / 128) = 1) or (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_3 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_65 := transform_right_filter_feature_1_any;
+      else
+        transform_right_filter_feature_1_choice_65 := not transform_right_filter_feature_0_value_13;
+      end if;
+      if ((transform_right_filter_column_4_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_1_choice_66 := transform_right_filter_feature_1_choice_65;
+      else
+        transform_right_filter_feature_1_choice_66 := ((transform_right_filter_column_4_3 mod 2) = 1) and
+          transform_right_filter_feature_1_is_equal;
+      end if;
+      if transform_right_filter_feature_1_choice_66 then
+        transform_right_filter_feature_1_choice_67 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_14;
+      else
+        transform_right_filter_feature_1_choice_67 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_14;
+      end if;
+      if transform_right_filter_feature_1_choice_67 then
+        transform_right_filter_feature_1_choice_68 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_15;
+      else
+        transform_right_filter_feature_1_choice_68 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_15;
+      end if;
+      if transform_right_filter_feature_1_choice_68 then
+        transform_right_filter_feature_1_choice_69 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_16;
+      else
+        transform_right_filter_feature_1_choice_69 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_16;
+      end if;
+      if transform_right_filter_feature_1_choice_69 then
+        transform_right_filter_feature_1_choice_70 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_17;
+      else
+        transform_right_filter_feature_1_choice_70 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_17;
+      end if;
+      if transform_right_filter_feature_1_choice_70 then
+        transform_right_filter_feature_1_choice_71 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_18;
+      else
+        transform_right_filter_feature_1_choice_71 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_18;
+      end if;
+      if transform_right_filter_feature_1_choice_71 then
+        transform_right_filter_feature_1_choice_72 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      else
+        transform_right_filter_feature_1_choice_72 := ((transform_right_filter_column_4_3 / 128) = 1) or (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_3 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_73 := transform_right_filter_feature_1_any;
+      else
+        transform_right_filter_feature_1_choice_73 := not transform_right_filter_feature_0_value_13;
+      end if;
+      if ((transform_right_filter_column_3_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_1_choice_74 := transform_right_filter_feature_1_choice_73;
+      else
+        transform_right_filter_feature_1_choice_74 := ((transform_right_filter_column_3_3 mod 2) = 1) and
+          transform_right_filter_feature_1_is_equal;
+      end if;
+      if transform_right_filter_feature_1_choice_74 then
+        transform_right_filter_feature_1_choice_75 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_14;
+      else
+        transform_right_filter_feature_1_choice_75 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_14;
+      end if;
+      if transform_right_filter_feature_1_choice_75 then
+        transform_right_filter_feature_1_choice_76 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_15;
+      else
+        transform_right_filter_feature_1_choice_76 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_15;
+      end if;
+      if transform_right_filter_feature_1_choice_76 then
+        transform_right_filter_feature_1_choice_77 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_16;
+      else
+        transform_right_filter_feature_1_choice_77 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_16;
+      end if;
+      if transform_right_filter_feature_1_choice_77 then
+        transform_right_filter_feature_1_choice_78 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_17;
+      else
+        transform_right_filter_feature_1_choice_78 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_17;
+      end if;
+      if transform_right_filter_feature_1_choice_78 then
+        transform_right_filter_feature_1_choice_79 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_18;
+      else
+        transform_right_filter_feature_1_choice_79 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_18;
+      end if;
+      if (transform_right_filter_column_3_3 / 128) = 1 then
+        transform_right_filter_feature_1_choice_80 := transform_filtering_0_column_inside_3;
+      else
+        transform_right_filter_feature_1_choice_80 := (not ((transform_right_filter_column_3_2 / 128) = 1)) and
+          transform_filtering_0_column_inside_3;
+      end if;
+      if transform_right_filter_feature_1_choice_79 then
+        transform_right_filter_feature_1_choice_81 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
+          ((transform_right_filter_column_3_2 / 128) = 1)) and transform_filtering_0_column_inside_3;
+      else
+        transform_right_filter_feature_1_choice_81 := transform_right_filter_feature_1_choice_80;
+      end if;
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_82 := not transform_right_filter_feature_0_value_25;
+      else
+        transform_right_filter_feature_1_choice_82 := (transform_right_filter_column_2_2 mod 4) = 0;
+      end if;
+      if transform_right_filter_feature_0_value_13 then
+        transform_right_filter_feature_1_choice_83 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
+          transform_right_filter_feature_0_value_25) or (not ((transform_right_filter_column_2_2 mod 2) = 1));
+      else
+        transform_right_filter_feature_1_choice_83 := transform_right_filter_feature_1_choice_82;
+      end if;
+      if transform_right_filter_feature_1_choice_83 then
+        transform_right_filter_feature_1_choice_84 := (not transform_right_filter_feature_0_value_14) and
+          transform_right_filter_feature_0_value_26;
+      else
+        transform_right_filter_feature_1_choice_84 := (not transform_right_filter_feature_0_value_14) or
+          transform_right_filter_feature_0_value_26;
+      end if;
+      if transform_right_filter_feature_1_choice_84 then
+        transform_right_filter_feature_1_choice_85 := (not transform_right_filter_feature_0_value_15) or
+          transform_right_filter_feature_0_value_27;
+      else
+        transform_right_filter_feature_1_choice_85 := (not transform_right_filter_feature_0_value_15) and
+          transform_right_filter_feature_0_value_27;
+      end if;
+      if transform_right_filter_feature_1_choice_85 then
+        transform_right_filter_feature_1_choice_86 := (not transform_right_filter_feature_0_value_16) or
+          transform_right_filter_feature_0_value_28;
+      else
+        transform_right_filter_feature_1_choice_86 := (not transform_right_filter_feature_0_value_16) and
+          transform_right_filter_feature_0_value_28;
+      end if;
+      if transform_right_filter_feature_1_choice_86 then
+        transform_right_filter_feature_1_choice_87 := (not transform_right_filter_feature_0_value_17) or
+          transform_right_filter_feature_0_value_29;
+      else
+        transform_right_filter_feature_1_choice_87 := (not transform_right_filter_feature_0_value_17) and
+          transform_right_filter_feature_0_value_29;
+      end if;
+      if transform_right_filter_feature_1_choice_87 then
+        transform_right_filter_feature_1_choice_88 := (not transform_right_filter_feature_0_value_18) or
+          transform_right_filter_feature_0_value_30;
+      else
+        transform_right_filter_feature_1_choice_88 := (not transform_right_filter_feature_0_value_18) and
+          transform_right_filter_feature_0_value_30;
+      end if;
+      if transform_right_filter_feature_1_choice_88 then
+        transform_right_filter_feature_1_choice_89 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
+          ((transform_right_filter_column_2_2 / 128) = 1);
+      else
+        transform_right_filter_feature_1_choice_89 := (not ((transform_right_filter_column_3_2 / 128) = 1)) and
+          ((transform_right_filter_column_2_2 / 128) = 1);
+      end if;
+      if (transform_right_filter_column_2_3 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_90 := transform_right_filter_feature_1_any;
+      else
+        transform_right_filter_feature_1_choice_90 := not transform_right_filter_feature_0_value_13;
+      end if;
+      if ((transform_right_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_1_choice_91 := transform_right_filter_feature_1_choice_90;
+      else
+        transform_right_filter_feature_1_choice_91 := ((transform_right_filter_column_2_3 mod 2) = 1) and
+          transform_right_filter_feature_1_is_equal;
+      end if;
+      if transform_right_filter_feature_1_choice_91 then
+        transform_right_filter_feature_1_choice_92 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_14;
+      else
+        transform_right_filter_feature_1_choice_92 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_14;
+      end if;
+      if transform_right_filter_feature_1_choice_92 then
+        transform_right_filter_feature_1_choice_93 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_15;
+      else
+        transform_right_filter_feature_1_choice_93 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_15;
+      end if;
+      if transform_right_filter_feature_1_choice_93 then
+        transform_right_filter_feature_1_choice_94 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_16;
+      else
+        transform_right_filter_feature_1_choice_94 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_16;
+      end if;
+      if transform_right_filter_feature_1_choice_94 then
+        transform_right_filter_feature_1_choice_95 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_17;
+      else
+        transform_right_filter_feature_1_choice_95 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_17;
+      end if;
+      if transform_right_filter_feature_1_choice_95 then
+        transform_right_filter_feature_1_choice_96 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_18;
+      else
+        transform_right_filter_feature_1_choice_96 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_18;
+      end if;
+      if transform_right_filter_feature_1_choice_96 then
+        transform_right_filter_feature_1_choice_97 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      else
+        transform_right_filter_feature_1_choice_97 := ((transform_right_filter_column_2_3 / 128) = 1) or (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_98 := not transform_right_filter_feature_0_value_19;
+      else
+        transform_right_filter_feature_1_choice_98 := (transform_right_filter_column_2_1 mod 4) = 0;
+      end if;
+      if transform_right_filter_feature_0_value_13 then
+        transform_right_filter_feature_1_choice_99 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
+          transform_right_filter_feature_0_value_19) or (not ((transform_right_filter_column_2_1 mod 2) = 1));
+      else
+        transform_right_filter_feature_1_choice_99 := transform_right_filter_feature_1_choice_98;
+      end if;
+      if transform_right_filter_feature_1_choice_99 then
+        transform_right_filter_feature_1_choice_100 := (not transform_right_filter_feature_0_value_14) and
+          transform_right_filter_feature_0_value_20;
+      else
+        transform_right_filter_feature_1_choice_100 := (not transform_right_filter_feature_0_value_14) or
+          transform_right_filter_feature_0_value_20;
+      end if;
+      if transform_right_filter_feature_1_choice_100 then
+        transform_right_filter_feature_1_choice_101 := (not transform_right_filter_feature_0_value_15) or
+          transform_right_filter_feature_0_value_21;
+      else
+        transform_right_filter_feature_1_choice_101 := (not transform_right_filter_feature_0_value_15) and
+          transform_right_filter_feature_0_value_21;
+      end if;
+      if transform_right_filter_feature_1_choice_101 then
+        transform_right_filter_feature_1_choice_102 := (not transform_right_filter_feature_0_value_16) or
+          transform_right_filter_feature_0_value_22;
+      else
+        transform_right_filter_feature_1_choice_102 := (not transform_right_filter_feature_0_value_16) and
+          transform_right_filter_feature_0_value_22;
+      end if;
+      if transform_right_filter_feature_1_choice_102 then
+        transform_right_filter_feature_1_choice_103 := (not transform_right_filter_feature_0_value_17) or
+          transform_right_filter_feature_0_value_23;
+      else
+        transform_right_filter_feature_1_choice_103 := (not transform_right_filter_feature_0_value_17) and
+          transform_right_filter_feature_0_value_23;
+      end if;
+      if transform_right_filter_feature_1_choice_103 then
+        transform_right_filter_feature_1_choice_104 := (not transform_right_filter_feature_0_value_18) or
+          transform_right_filter_feature_0_value_24;
+      else
+        transform_right_filter_feature_1_choice_104 := (not transform_right_filter_feature_0_value_18) and
+          transform_right_filter_feature_0_value_24;
+      end if;
+      if transform_right_filter_feature_1_choice_104 then
+        transform_right_filter_feature_1_choice_105 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
+          ((transform_right_filter_column_2_1 / 128) = 1);
+      else
+        transform_right_filter_feature_1_choice_105 := (not ((transform_right_filter_column_3_2 / 128) = 1)) and
+          ((transform_right_filter_column_2_1 / 128) = 1);
+      end if;
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_106 := not transform_right_filter_feature_0_value_37;
+      else
+        transform_right_filter_feature_1_choice_106 := (transform_right_filter_column_1_2 mod 4) = 0;
+      end if;
+      if transform_right_filter_feature_0_value_13 then
+        transform_right_filter_feature_1_choice_107 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
+          transform_right_filter_feature_0_value_37) or (not ((transform_right_filter_column_1_2 mod 2) = 1));
+      else
+        transform_right_filter_feature_1_choice_107 := transform_right_filter_feature_1_choice_106;
+      end if;
+      if transform_right_filter_feature_1_choice_107 then
+        transform_right_filter_feature_1_choice_108 := (not transform_right_filter_feature_0_value_14) and
+          transform_right_filter_feature_0_value_38;
+      else
+        transform_right_filter_feature_1_choice_108 := (not transform_right_filter_feature_0_value_14) or
+          transform_right_filter_feature_0_value_38;
+      end if;
+      if transform_right_filter_feature_1_choice_108 then
+        transform_right_filter_feature_1_choice_109 := (not transform_right_filter_feature_0_value_15) or
+          transform_right_filter_feature_0_value_39;
+      else
+        transform_right_filter_feature_1_choice_109 := (not transform_right_filter_feature_0_value_15) and
+          transform_right_filter_feature_0_value_39;
+      end if;
+      if transform_right_filter_feature_1_choice_109 then
+        transform_right_filter_feature_1_choice_110 := (not transform_right_filter_feature_0_value_16) or
+          transform_right_filter_feature_0_value_40;
+      else
+        transform_right_filter_feature_1_choice_110 := (not transform_right_filter_feature_0_value_16) and
+          transform_right_filter_feature_0_value_40;
+      end if;
+      if transform_right_filter_feature_1_choice_110 then
+        transform_right_filter_feature_1_choice_111 := (not transform_right_filter_feature_0_value_17) or
+          transform_right_filter_feature_0_value_41;
+      else
+        transform_right_filter_feature_1_choice_111 := (not transform_right_filter_feature_0_value_17) and
+          transform_right_filter_feature_0_value_41;
+      end if;
+      if transform_right_filter_feature_1_choice_111 then
+        transform_right_filter_feature_1_choice_112 := (not transform_right_filter_feature_0_value_18) or
+          transform_right_filter_feature_0_value_42;
+      else
+        transform_right_filter_feature_1_choice_112 := (not transform_right_filter_feature_0_value_18) and
+          transform_right_filter_feature_0_value_42;
+      end if;
+      if transform_right_filter_feature_1_choice_112 then
+        transform_right_filter_feature_1_choice_113 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
+          ((transform_right_filter_column_1_2 / 128) = 1);
+      else
+        transform_right_filter_feature_1_choice_113 := (not ((transform_right_filter_column_3_2 / 128) = 1)) and
+          ((transform_right_filter_column_1_2 / 128) = 1);
+      end if;
+      if (transform_right_filter_column_1_3 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_114 := transform_right_filter_feature_1_any;
+      else
+        transform_right_filter_feature_1_choice_114 := not transform_right_filter_feature_0_value_13;
+      end if;
+      if ((transform_right_filter_column_1_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_1_choice_115 := transform_right_filter_feature_1_choice_114;
+      else
+        transform_right_filter_feature_1_choice_115 := ((transform_right_filter_column_1_3 mod 2) = 1) and
+          transform_right_filter_feature_1_is_equal;
+      end if;
+      if transform_right_filter_feature_1_choice_115 then
+        transform_right_filter_feature_1_choice_116 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_14;
+      else
+        transform_right_filter_feature_1_choice_116 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_14;
+      end if;
+      if transform_right_filter_feature_1_choice_116 then
+        transform_right_filter_feature_1_choice_117 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_15;
+      else
+        transform_right_filter_feature_1_choice_117 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_15;
+      end if;
+      if transform_right_filter_feature_1_choice_117 then
+        transform_right_filter_feature_1_choice_118 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_16;
+      else
+        transform_right_filter_feature_1_choice_118 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_16;
+      end if;
+      if transform_right_filter_feature_1_choice_118 then
+        transform_right_filter_feature_1_choice_119 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_17;
+      else
+        transform_right_filter_feature_1_choice_119 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_17;
+      end if;
+      if transform_right_filter_feature_1_choice_119 then
+        transform_right_filter_feature_1_choice_120 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_18;
+      else
+        transform_right_filter_feature_1_choice_120 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_18;
+      end if;
+      if transform_right_filter_feature_1_choice_120 then
+        transform_right_filter_feature_1_choice_121 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      else
+        transform_right_filter_feature_1_choice_121 := ((transform_right_filter_column_1_3 / 128) = 1) or (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_122 := not transform_right_filter_feature_0_value_31;
+      else
+        transform_right_filter_feature_1_choice_122 := (transform_right_filter_column_1_1 mod 4) = 0;
+      end if;
+      if transform_right_filter_feature_0_value_13 then
+        transform_right_filter_feature_1_choice_123 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
+          transform_right_filter_feature_0_value_31) or (not ((transform_right_filter_column_1_1 mod 2) = 1));
+      else
+        transform_right_filter_feature_1_choice_123 := transform_right_filter_feature_1_choice_122;
+      end if;
+      if transform_right_filter_feature_1_choice_123 then
+        transform_right_filter_feature_1_choice_124 := (not transform_right_filter_feature_0_value_14) and
+          transform_right_filter_feature_0_value_32;
+      else
+        transform_right_filter_feature_1_choice_124 := (not transform_right_filter_feature_0_value_14) or
+          transform_right_filter_feature_0_value_32;
+      end if;
+      if transform_right_filter_feature_1_choice_124 then
+        transform_right_filter_feature_1_choice_125 := (not transform_right_filter_feature_0_value_15) or
+          transform_right_filter_feature_0_value_33;
+      else
+        transform_right_filter_feature_1_choice_125 := (not transform_right_filter_feature_0_value_15) and
+          transform_right_filter_feature_0_value_33;
+      end if;
+      if transform_right_filter_feature_1_choice_125 then
+        transform_right_filter_feature_1_choice_126 := (not transform_right_filter_feature_0_value_16) or
+          transform_right_filter_feature_0_value_34;
+      else
+        transform_right_filter_feature_1_choice_126 := (not transform_right_filter_feature_0_value_16) and
+          transform_right_filter_feature_0_value_34;
+      end if;
+      if transform_right_filter_feature_1_choice_126 then
+        transform_right_filter_feature_1_choice_127 := (not transform_right_filter_feature_0_value_17) or
+          transform_right_filter_feature_0_value_35;
+      else
+        transform_right_filter_feature_1_choice_127 := (not transform_right_filter_feature_0_value_17) and
+          transform_right_filter_feature_0_value_35;
+      end if;
+      if transform_right_filter_feature_1_choice_127 then
+        transform_right_filter_feature_1_choice_128 := (not transform_right_filter_feature_0_value_18) or
+          transform_right_filter_feature_0_value_36;
+      else
+        transform_right_filter_feature_1_choice_128 := (not transform_right_filter_feature_0_value_18) and
+          transform_right_filter_feature_0_value_36;
+      end if;
+      if transform_right_filter_feature_1_choice_128 then
+        transform_right_filter_feature_1_choice_129 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
+          ((transform_right_filter_column_1_1 / 128) = 1);
+      else
+        transform_right_filter_feature_1_choice_129 := (not ((transform_right_filter_column_3_2 / 128) = 1)) and
+          ((transform_right_filter_column_1_1 / 128) = 1);
+      end if;
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_130 := not transform_right_filter_feature_0_value_49;
+      else
+        transform_right_filter_feature_1_choice_130 := (transform_right_filter_column_0_2 mod 4) = 0;
+      end if;
+      if transform_right_filter_feature_0_value_13 then
+        transform_right_filter_feature_1_choice_131 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
+          transform_right_filter_feature_0_value_49) or (not ((transform_right_filter_column_0_2 mod 2) = 1));
+      else
+        transform_right_filter_feature_1_choice_131 := transform_right_filter_feature_1_choice_130;
+      end if;
+      if transform_right_filter_feature_1_choice_131 then
+        transform_right_filter_feature_1_choice_132 := (not transform_right_filter_feature_0_value_14) and
+          transform_right_filter_feature_0_value_50;
+      else
+        transform_right_filter_feature_1_choice_132 := (not transform_right_filter_feature_0_value_14) or
+          transform_right_filter_feature_0_value_50;
+      end if;
+      if transform_right_filter_feature_1_choice_132 then
+        transform_right_filter_feature_1_choice_133 := (not transform_right_filter_feature_0_value_15) or
+          transform_right_filter_feature_0_value_51;
+      else
+        transform_right_filter_feature_1_choice_133 := (not transform_right_filter_feature_0_value_15) and
+          transform_right_filter_feature_0_value_51;
+      end if;
+      if transform_right_filter_feature_1_choice_133 then
+        transform_right_filter_feature_1_choice_134 := (not transform_right_filter_feature_0_value_16) or
+          transform_right_filter_feature_0_value_52;
+      else
+        transform_right_filter_feature_1_choice_134 := (not transform_right_filter_feature_0_value_16) and
+          transform_right_filter_feature_0_value_52;
+      end if;
+      if transform_right_filter_feature_1_choice_134 then
+        transform_right_filter_feature_1_choice_135 := (not transform_right_filter_feature_0_value_17) or
+          transform_right_filter_feature_0_value_53;
+      else
+        transform_right_filter_feature_1_choice_135 := (not transform_right_filter_feature_0_value_17) and
+          transform_right_filter_feature_0_value_53;
+      end if;
+      if transform_right_filter_feature_1_choice_135 then
+        transform_right_filter_feature_1_choice_136 := (not transform_right_filter_feature_0_value_18) or
+          transform_right_filter_feature_0_value_54;
+      else
+        transform_right_filter_feature_1_choice_136 := (not transform_right_filter_feature_0_value_18) and
+          transform_right_filter_feature_0_value_54;
+      end if;
+      if transform_right_filter_feature_1_choice_136 then
+        transform_right_filter_feature_1_choice_137 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
+          ((transform_right_filter_column_0_2 / 128) = 1);
+      else
+        transform_right_filter_feature_1_choice_137 := (not ((transform_right_filter_column_3_2 / 128) = 1)) and
+          ((transform_right_filter_column_0_2 / 128) = 1);
+      end if;
+      if (transform_right_filter_column_0_3 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_138 := transform_right_filter_feature_1_any;
+      else
+        transform_right_filter_feature_1_choice_138 := not transform_right_filter_feature_0_value_13;
+      end if;
+      if ((transform_right_filter_column_0_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_1_choice_139 := transform_right_filter_feature_1_choice_138;
+      else
+        transform_right_filter_feature_1_choice_139 := ((transform_right_filter_column_0_3 mod 2) = 1) and
+          transform_right_filter_feature_1_is_equal;
+      end if;
+      if transform_right_filter_feature_1_choice_139 then
+        transform_right_filter_feature_1_choice_140 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_14;
+      else
+        transform_right_filter_feature_1_choice_140 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_14;
+      end if;
+      if transform_right_filter_feature_1_choice_140 then
+        transform_right_filter_feature_1_choice_141 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_15;
+      else
+        transform_right_filter_feature_1_choice_141 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_15;
+      end if;
+      if transform_right_filter_feature_1_choice_141 then
+        transform_right_filter_feature_1_choice_142 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_16;
+      else
+        transform_right_filter_feature_1_choice_142 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_16;
+      end if;
+      if transform_right_filter_feature_1_choice_142 then
+        transform_right_filter_feature_1_choice_143 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_17;
+      else
+        transform_right_filter_feature_1_choice_143 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_17;
+      end if;
+      if transform_right_filter_feature_1_choice_143 then
+        transform_right_filter_feature_1_choice_144 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_18;
+      else
+        transform_right_filter_feature_1_choice_144 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_18;
+      end if;
+      if transform_right_filter_feature_1_choice_144 then
+        transform_right_filter_feature_1_choice_145 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      else
+        transform_right_filter_feature_1_choice_145 := ((transform_right_filter_column_0_3 / 128) = 1) or (not
+          ((transform_right_filter_column_3_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_146 := not transform_right_filter_feature_0_value_43;
+      else
+        transform_right_filter_feature_1_choice_146 := (transform_right_filter_column_0_1 mod 4) = 0;
+      end if;
+      if transform_right_filter_feature_0_value_13 then
+        transform_right_filter_feature_1_choice_147 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
+          transform_right_filter_feature_0_value_43) or (not ((transform_right_filter_column_0_1 mod 2) = 1));
+      else
+        transform_right_filter_feature_1_choice_147 := transform_right_filter_feature_1_choice_146;
+      end if;
+      if transform_right_filter_feature_1_choice_147 then
+        transform_right_filter_feature_1_choice_148 := (not transform_right_filter_feature_0_value_14) and
+          transform_right_filter_feature_0_value_44;
+      else
+        transform_right_filter_feature_1_choice_148 := (not transform_right_filter_feature_0_value_14) or
+          transform_right_filter_feature_0_value_44;
+      end if;
+      if transform_right_filter_feature_1_choice_148 then
+        transform_right_filter_feature_1_choice_149 := (not transform_right_filter_feature_0_value_15) or
+          transform_right_filter_feature_0_value_45;
+      else
+        transform_right_filter_feature_1_choice_149 := (not transform_right_filter_feature_0_value_15) and
+          transform_right_filter_feature_0_value_45;
+      end if;
+      if transform_right_filter_feature_1_choice_149 then
+        transform_right_filter_feature_1_choice_150 := (not transform_right_filter_feature_0_value_16) or
+          transform_right_filter_feature_0_value_46;
+      else
+        transform_right_filter_feature_1_choice_150 := (not transform_right_filter_feature_0_value_16) and
+          transform_right_filter_feature_0_value_46;
+      end if;
+      if transform_right_filter_feature_1_choice_150 then
+        transform_right_filter_feature_1_choice_151 := (not transform_right_filter_feature_0_value_17) or
+          transform_right_filter_feature_0_value_47;
+      else
+        transform_right_filter_feature_1_choice_151 := (not transform_right_filter_feature_0_value_17) and
+          transform_right_filter_feature_0_value_47;
+      end if;
+      if transform_right_filter_feature_1_choice_151 then
+        transform_right_filter_feature_1_choice_152 := (not transform_right_filter_feature_0_value_18) or
+          transform_right_filter_feature_0_value_48;
+      else
+        transform_right_filter_feature_1_choice_152 := (not transform_right_filter_feature_0_value_18) and
+          transform_right_filter_feature_0_value_48;
+      end if;
+      if transform_right_filter_feature_1_choice_152 then
+        transform_right_filter_feature_1_choice_153 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
+          ((transform_right_filter_column_0_1 / 128) = 1);
+      else
+        transform_right_filter_feature_1_choice_153 := (not ((transform_right_filter_column_3_2 / 128) = 1)) and
+          ((transform_right_filter_column_0_1 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_1_choice_154 := (as_number(transform_right_filter_feature_1_choice_137) * 2) +
           (as_number(transform_right_filter_feature_1_choice_145) * 4) +
@@ -3317,24 +5757,49 @@ begin
       else
         transform_right_filter_feature_1_choice_156 := transform_right_filter_feature_1_choice_155;
       end if;
-      transform_right_filter_feature_1_choice_157 := not transform_right_filter_feature_0_value when
-        (transform_right_filter_column_3_2 mod 2) = 1 else transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_1_choice_158 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
-        transform_right_filter_feature_0_value) or (not ((transform_right_filter_column_3_1 mod 2) = 1)) when
-        transform_right_filter_feature_0_value_13 else transform_right_filter_feature_1_choice_157;
-      transform_right_filter_feature_1_choice_159 := transform_right_filter_feature_0_all when
-        transform_right_filter_feature_1_choice_158 else transform_right_filter_feature_0_any_2;
-      transform_right_filter_feature_1_choice_160 := transform_right_filter_feature_0_any_3 when
-        transform_right_filter_feature_1_choice_159 else transform_right_filter_feature_0_all_2;
-      transform_right_filter_feature_1_choice_161 := transform_right_filter_feature_0_any_4 when
-        transform_right_filter_feature_1_choice_160 else transform_right_filter_feature_0_all_3;
-      transform_right_filter_feature_1_choice_162 := transform_right_filter_feature_0_any_5 when
-        transform_right_filter_feature_1_choice_161 else transform_right_filter_feature_0_all_4;
-      transform_right_filter_feature_1_choice_163 := transform_right_filter_feature_0_any_6 when
-        transform_right_filter_feature_1_choice_162 else transform_right_filter_feature_0_all_5;
-      transform_right_filter_feature_1_choice_164 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
-        ((transform_right_filter_column_3_1 / 128) = 1) when transform_right_filter_feature_1_choice_163 else (not
-        ((transform_right_filter_column_3_2 / 128) = 1)) and ((transform_right_filter_column_3_1 / 128) = 1);
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_1_choice_157 := not transform_right_filter_feature_0_value;
+      else
+        transform_right_filter_feature_1_choice_157 := transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_value_13 then
+        transform_right_filter_feature_1_choice_158 := ((transform_right_filter_column_3_2 mod 2) = 1) or (not
+          transform_right_filter_feature_0_value) or (not ((transform_right_filter_column_3_1 mod 2) = 1));
+      else
+        transform_right_filter_feature_1_choice_158 := transform_right_filter_feature_1_choice_157;
+      end if;
+      if transform_right_filter_feature_1_choice_158 then
+        transform_right_filter_feature_1_choice_159 := transform_right_filter_feature_0_all;
+      else
+        transform_right_filter_feature_1_choice_159 := transform_right_filter_feature_0_any_2;
+      end if;
+      if transform_right_filter_feature_1_choice_159 then
+        transform_right_filter_feature_1_choice_160 := transform_right_filter_feature_0_any_3;
+      else
+        transform_right_filter_feature_1_choice_160 := transform_right_filter_feature_0_all_2;
+      end if;
+      if transform_right_filter_feature_1_choice_160 then
+        transform_right_filter_feature_1_choice_161 := transform_right_filter_feature_0_any_4;
+      else
+        transform_right_filter_feature_1_choice_161 := transform_right_filter_feature_0_all_3;
+      end if;
+      if transform_right_filter_feature_1_choice_161 then
+        transform_right_filter_feature_1_choice_162 := transform_right_filter_feature_0_any_5;
+      else
+        transform_right_filter_feature_1_choice_162 := transform_right_filter_feature_0_all_4;
+      end if;
+      if transform_right_filter_feature_1_choice_162 then
+        transform_right_filter_feature_1_choice_163 := transform_right_filter_feature_0_any_6;
+      else
+        transform_right_filter_feature_1_choice_163 := transform_right_filter_feature_0_all_5;
+      end if;
+      if transform_right_filter_feature_1_choice_163 then
+        transform_right_filter_feature_1_choice_164 := (not ((transform_right_filter_column_3_2 / 128) = 1)) or
+          ((transform_right_filter_column_3_1 / 128) = 1);
+      else
+        transform_right_filter_feature_1_choice_164 := (not ((transform_right_filter_column_3_2 / 128) = 1)) and
+          ((transform_right_filter_column_3_1 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_3 then
         transform_right_filter_feature_1_choice_165 := transform_right_filter_feature_1_choice_156 +
           (as_number(transform_right_filter_feature_1_choice_164) * 512);
@@ -3362,8 +5827,6 @@ begin
       transform_right_0 <= in_right_pixel mod 256;
       transform_right_1 <= in_right_pixel / 256;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice * 2 when in_start_of_frame and in_valid else
-        transform_counter_group_choice_4;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_read_newest_1 <= transform_left_1;
       transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
@@ -3376,22 +5839,12 @@ begin
       transform_right_rows_ready_newest_1 <= transform_right_rows_read_newest_1;
       transform_read_column <= transform_counter_column;
       transform_read_row_inside_0 <= transform_read_row_inside_0_any;
-      transform_read_row_inside_1 <= transform_read_row_inside_1_any when (transform_counter_group mod 2) = 1 else
-        transform_read_row_inside_0_any;
       transform_read_row_inside_3 <= transform_read_row_inside_1_any;
       transform_read_column_inside_0 <= ((transform_counter_column mod 4) = 3) or ((transform_counter_column / 16) = 1)
         or transform_read_column_inside_0_value or transform_read_column_inside_0_value_2;
-      transform_read_column_inside_1 <= transform_read_column_inside_1_choice when
-        transform_read_column_inside_1_is_equal else not transform_read_column_inside_1_all;
       transform_read_column_inside_2 <= ((transform_counter_column / 4) /= 0) or (not
         transform_read_column_inside_1_value) or ((transform_counter_column mod 2) = 1);
       transform_read_column_inside_3 <= true;
-      transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal when transform_read_column_inside_1_all
-        else ((transform_counter_column / 16) = 1) or transform_read_column_inside_0_value or
-        transform_read_column_inside_0_value_2;
-      transform_read_column_inside_5 <= transform_read_column_inside_1_all /= ((transform_counter_column / 16) = 1)
-        when (not transform_read_column_inside_0_value) and ((not transform_read_column_inside_0_value_2) or
-        transform_read_column_inside_1_is_equal_2) else not transform_read_column_inside_1_all;
       transform_read_column_inside_6 <= (((not transform_read_column_inside_0_value_2) or (not
         transform_read_column_inside_1_value)) and ((transform_counter_column / 8) = 0)) /= (not
         transform_read_column_inside_1_all);
@@ -3430,22 +5883,6 @@ begin
       transform_columns_column_inside_6 <= transform_ready_column_inside_6;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 131072) +
-        (as_number(transform_left_filter_feature_0_choice_16) * 262144) +
-        (as_number(transform_left_filter_feature_0_choice_24) * 524288) + transform_left_filter_feature_0_choice_167
-        when transform_filtering_0_column_inside_6 else transform_left_filter_feature_0_choice_167;
-      transform_left_filter_feature_1 <= (as_number(transform_left_filter_feature_1_choice_8) * 131072) +
-        (as_number(transform_left_filter_feature_1_choice_16) * 262144) +
-        (as_number(transform_left_filter_feature_1_choice_24) * 524288) + transform_left_filter_feature_1_choice_167
-        when transform_filtering_0_column_inside_6 else transform_left_filter_feature_1_choice_167;
-      transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 131072) +
-        (as_number(transform_right_filter_feature_0_choice_16) * 262144) +
-        (as_number(transform_right_filter_feature_0_choice_24) * 524288) + transform_right_filter_feature_0_choice_167
-        when transform_filtering_0_column_inside_6 else transform_right_filter_feature_0_choice_167;
-      transform_right_filter_feature_1 <= (as_number(transform_right_filter_feature_1_choice_8) * 131072) +
-        (as_number(transform_right_filter_feature_1_choice_16) * 262144) +
-        (as_number(transform_right_filter_feature_1_choice_24) * 524288) + transform_right_filter_feature_1_choice_167
-        when transform_filtering_0_column_inside_6 else transform_right_filter_feature_1_choice_167;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
@@ -3457,15 +5894,75 @@ begin
       transform_filtering_0_valid <= transform_columns_valid;
       transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
       transform_filtering_1_valid <= transform_filtering_0_valid;
-      transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1)
-        when transform_counter_group_is_equal_2 else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
-        transform_counter_group_is_equal else transform_counter_next_frame;
+      if in_start_of_frame and in_valid then
+        transform_counter_group <= transform_counter_group_choice * 2;
+      else
+        transform_counter_group <= transform_counter_group_choice_4;
+      end if;
+      if (transform_counter_group mod 2) = 1 then
+        transform_read_row_inside_1 <= transform_read_row_inside_1_any;
+      else
+        transform_read_row_inside_1 <= transform_read_row_inside_0_any;
+      end if;
+      if transform_read_column_inside_1_is_equal then
+        transform_read_column_inside_1 <= transform_read_column_inside_1_choice;
+      else
+        transform_read_column_inside_1 <= not transform_read_column_inside_1_all;
+      end if;
+      if transform_read_column_inside_1_all then
+        transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal;
+      else
+        transform_read_column_inside_4 <= ((transform_counter_column / 16) = 1) or transform_read_column_inside_0_value
+          or transform_read_column_inside_0_value_2;
+      end if;
+      if (not transform_read_column_inside_0_value) and ((not transform_read_column_inside_0_value_2) or
+        transform_read_column_inside_1_is_equal_2) then
+        transform_read_column_inside_5 <= transform_read_column_inside_1_all /= ((transform_counter_column / 16) = 1);
+      else
+        transform_read_column_inside_5 <= not transform_read_column_inside_1_all;
+      end if;
+      if transform_filtering_0_column_inside_6 then
+        transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 131072) +
+          (as_number(transform_left_filter_feature_0_choice_16) * 262144) +
+          (as_number(transform_left_filter_feature_0_choice_24) * 524288) + transform_left_filter_feature_0_choice_167;
+        transform_left_filter_feature_1 <= (as_number(transform_left_filter_feature_1_choice_8) * 131072) +
+          (as_number(transform_left_filter_feature_1_choice_16) * 262144) +
+          (as_number(transform_left_filter_feature_1_choice_24) * 524288) + transform_left_filter_feature_1_choice_167;
+        transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 131072) +
+          (as_number(transform_right_filter_feature_0_choice_16) * 262144) +
+          (as_number(transform_right_filter_feature_0_choice_24) * 524288) +
+          transform_right_filter_feature_0_choice_167;
+        transform_right_filter_feature_1 <= (as_number(transform_right_filter_feature_1_choice_8) * 131072) +
+          (as_number(transform_right_filter_feature_1_choice_16) * 262144) +
+          (as_number(transform_right_filter_feature_1_choice_24) * 524288) +
+          transform_right_filter_feature_1_choice_167;
+      else
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_167;
+        transform_left_filter_feature_1 <= transform_left_filter_feature_1_choice_167;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_167;
+        transform_right_filter_feature_1 <= transform_right_filter_feature_1_choice_167;
+      end if;
+      if transform_counter_group_is_equal_2 then
+        transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1);
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
+      if transform_counter_group_is_equal then
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
+      else
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
-          (transform_counter_column + 1) mod 32;
-        transform_counter_next_frame <= transform_counter_group_all when in_start_of_frame else
-          transform_counter_next_frame_choice_2;
+        if transform_counter_group_is_equal or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 32;
+        end if;
+        if in_start_of_frame then
+          transform_counter_next_frame <= transform_counter_group_all;
+        else
+          transform_counter_next_frame <= transform_counter_next_frame_choice_2;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_words_0 / 65536) +
@@ -3475,10 +5972,6 @@ begin
         transform_write_column <= transform_ready_column;
       end if;
       if transform_columns_valid then
-        transform_left_filter_column_0_0 <= transform_left_column_0 when transform_columns_row_inside_0 else 0;
-        transform_left_filter_column_0_1 <= transform_left_column_1 when transform_columns_row_inside_1 else 0;
-        transform_left_filter_column_0_2 <= transform_left_column_2 when transform_columns_row_inside_1 else 0;
-        transform_left_filter_column_0_3 <= transform_left_column_3 when transform_columns_row_inside_3 else 0;
         transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
         transform_left_filter_column_1_1 <= transform_left_filter_column_0_1;
         transform_left_filter_column_1_2 <= transform_left_filter_column_0_2;
@@ -3503,10 +5996,6 @@ begin
         transform_left_filter_column_6_1 <= transform_left_filter_column_5_1;
         transform_left_filter_column_6_2 <= transform_left_filter_column_5_2;
         transform_left_filter_column_6_3 <= transform_left_filter_column_5_3;
-        transform_right_filter_column_0_0 <= transform_right_column_0 when transform_columns_row_inside_0 else 0;
-        transform_right_filter_column_0_1 <= transform_right_column_1 when transform_columns_row_inside_1 else 0;
-        transform_right_filter_column_0_2 <= transform_right_column_2 when transform_columns_row_inside_1 else 0;
-        transform_right_filter_column_0_3 <= transform_right_column_3 when transform_columns_row_inside_3 else 0;
         transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
         transform_right_filter_column_1_1 <= transform_right_filter_column_0_1;
         transform_right_filter_column_1_2 <= transform_right_filter_column_0_2;
@@ -3531,39 +6020,96 @@ begin
         transform_right_filter_column_6_1 <= transform_right_filter_column_5_1;
         transform_right_filter_column_6_2 <= transform_right_filter_column_5_2;
         transform_right_filter_column_6_3 <= transform_right_filter_column_5_3;
+        if transform_columns_row_inside_0 then
+          transform_left_filter_column_0_0 <= transform_left_column_0;
+          transform_right_filter_column_0_0 <= transform_right_column_0;
+        else
+          transform_left_filter_column_0_0 <= 0;
+          transform_right_filter_column_0_0 <= 0;
+        end if;
+        if transform_columns_row_inside_1 then
+          transform_left_filter_column_0_1 <= transform_left_column_1;
+          transform_left_filter_column_0_2 <= transform_left_column_2;
+          transform_right_filter_column_0_1 <= transform_right_column_1;
+          transform_right_filter_column_0_2 <= transform_right_column_2;
+        else
+          transform_left_filter_column_0_1 <= 0;
+          transform_left_filter_column_0_2 <= 0;
+          transform_right_filter_column_0_1 <= 0;
+          transform_right_filter_column_0_2 <= 0;
+        end if;
+        if transform_columns_row_inside_3 then
+          transform_left_filter_column_0_3 <= transform_left_column_3;
+          transform_right_filter_column_0_3 <= transform_right_column_3;
+        else
+          transform_left_filter_column_0_3 <= 0;
+          transform_right_filter_column_0_3 <= 0;
+        end if;
       end if;
       -- raster
       raster_place_group_is_equal := raster_place_column = 31;
       raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 5);
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_2 := (raster_place_group / 2) = 3;
-      raster_place_group_choice_2 := transform_filtering_1_valid and (not ((raster_place_group mod 2) = 1)) when
-        raster_place_group_is_equal_2 else transform_filtering_1_valid;
-      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 6) else
-        (raster_place_group + 1) mod 8;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_is_equal and
-        raster_place_group_choice_2 else raster_place_group;
+      if raster_place_group_is_equal_2 then
+        raster_place_group_choice_2 := transform_filtering_1_valid and (not ((raster_place_group mod 2) = 1));
+      else
+        raster_place_group_choice_2 := transform_filtering_1_valid;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 6) then
+        raster_place_group_choice_3 := 1;
+      else
+        raster_place_group_choice_3 := (raster_place_group + 1) mod 8;
+      end if;
+      if raster_place_group_is_equal and raster_place_group_choice_2 then
+        raster_place_group_choice_4 := raster_place_group_choice_3;
+      else
+        raster_place_group_choice_4 := raster_place_group;
+      end if;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_search_1 <= transform_left_filter_feature_1;
       raster_features_reference_0 <= transform_right_filter_feature_0;
       raster_features_reference_1 <= transform_right_filter_feature_1;
       raster_features_valid <= transform_filtering_1_valid;
-      raster_place_group <= raster_place_group_choice * 2 when transform_filtering_1_start_of_frame and
-        transform_filtering_1_valid else raster_place_group_choice_4;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
-        raster_place_next_frame;
+      if transform_filtering_1_start_of_frame and transform_filtering_1_valid then
+        raster_place_group <= raster_place_group_choice * 2;
+      else
+        raster_place_group <= raster_place_group_choice_4;
+      end if;
+      if raster_place_group_is_equal_2 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
       if transform_filtering_1_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_1_start_of_frame else
-          (raster_place_column + 1) mod 32;
-        raster_place_next_frame <= raster_place_group_all when transform_filtering_1_start_of_frame else
-          raster_place_next_frame_choice_2;
+        if raster_place_group_is_equal or transform_filtering_1_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
+        if transform_filtering_1_start_of_frame then
+          raster_place_next_frame <= raster_place_group_all;
+        else
+          raster_place_next_frame <= raster_place_next_frame_choice_2;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 7 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 8;
+        end if;
       end if;
       delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
       delay_row_inside_0_any := ((raster_place_group / 4) = 1) or delay_row_inside_0_value;
@@ -3572,15 +6118,22 @@ begin
       delay_ahead_1 <= raster_features_search_1;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_any;
-      delay_row_inside_1 <= delay_row_inside_1_any when (raster_place_group mod 2) = 1 else delay_row_inside_0_any;
       delay_row_inside_3 <= delay_row_inside_1_any;
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
-        (raster_place_column / 8) = 0;
       delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 7) and (raster_place_column >= 7)
         and (raster_place_column < 31);
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
+      if (raster_place_group mod 2) = 1 then
+        delay_row_inside_1 <= delay_row_inside_1_any;
+      else
+        delay_row_inside_1 <= delay_row_inside_0_any;
+      end if;
+      if (raster_place_column mod 4) = 3 then
+        delay_tag_border_column <= (raster_place_column / 4) = 0;
+      else
+        delay_tag_border_column <= (raster_place_column / 8) = 0;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_read_newest_1 <= delay_ahead_1;
@@ -3614,19 +6167,36 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_words_2 when rows_ready_inside_1 else 0;
-      rows_search_3 <= rows_search_rows_ready_newest_0 when rows_ready_inside_3 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_words_2 when rows_ready_inside_1 else 0;
-      rows_reference_3 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_3 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0;
+        rows_reference_0 <= rows_reference_rows_ready_words_0;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_1;
+        rows_search_2 <= rows_search_rows_ready_words_2;
+        rows_reference_1 <= rows_reference_rows_ready_words_1;
+        rows_reference_2 <= rows_reference_rows_ready_words_2;
+      else
+        rows_search_1 <= 0;
+        rows_search_2 <= 0;
+        rows_reference_1 <= 0;
+        rows_reference_2 <= 0;
+      end if;
+      if rows_ready_inside_3 then
+        rows_search_3 <= rows_search_rows_ready_newest_0;
+        rows_reference_3 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_3 <= 0;
+        rows_reference_3 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= rows_search_rows_ready_words_2;
         rows_search_rows_write_words_1 <= rows_search_rows_ready_newest_0;
@@ -4117,23 +6687,26 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        slice0cost_single_0_2;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        slice0cost_single_3_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        slice0cost_single_3_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        slice0cost_single_3_2;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_1_0 <= 0;
+        slice0cost_column_1_1 <= 0;
+        slice0cost_column_1_2 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_column_1_0 <= slice0cost_pair_0_0 + slice0cost_single_3_0;
+        slice0cost_column_1_1 <= slice0cost_pair_0_1 + slice0cost_single_3_1;
+        slice0cost_column_1_2 <= slice0cost_pair_0_2 + slice0cost_single_3_2;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -4163,152 +6736,242 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_choice := (not (((slice0window_sum_0_1 / 2) mod 2) = 1)) or (not ((slice0window_sum_0_1
-        mod 2) = 1)) when (slice0window_sum_0_0 mod 2) = 1 else not (((slice0window_sum_0_1 / 2) mod 2) = 1);
-      slice0winner1_of_pair_0_0_choice_2 := slice0winner1_of_pair_0_0_choice when ((slice0window_sum_0_0 / 2) mod 2) =
-        1 else ((slice0window_sum_0_0 mod 2) = 1) and ((slice0window_sum_0_1 mod 4) = 0);
+      if (slice0window_sum_0_0 mod 2) = 1 then
+        slice0winner1_of_pair_0_0_choice := (not (((slice0window_sum_0_1 / 2) mod 2) = 1)) or (not
+          ((slice0window_sum_0_1 mod 2) = 1));
+      else
+        slice0winner1_of_pair_0_0_choice := not (((slice0window_sum_0_1 / 2) mod 2) = 1);
+      end if;
+      if ((slice0window_sum_0_0 / 2) mod 2) = 1 then
+        slice0winner1_of_pair_0_0_choice_2 := slice0winner1_of_pair_0_0_choice;
+      else
+        slice0winner1_of_pair_0_0_choice_2 := ((slice0window_sum_0_0 mod 2) = 1) and ((slice0window_sum_0_1 mod 4) = 0);
+      end if;
       slice0winner1_of_pair_0_0_value := ((slice0window_sum_0_1 / 4) mod 2) = 1;
-      slice0winner1_of_pair_0_0_choice_3 := (not (((slice0window_sum_0_0 / 4) mod 2) = 1)) and
-        slice0winner1_of_pair_0_0_value when slice0winner1_of_pair_0_0_choice_2 else (not (((slice0window_sum_0_0 / 4)
-        mod 2) = 1)) or slice0winner1_of_pair_0_0_value;
+      if slice0winner1_of_pair_0_0_choice_2 then
+        slice0winner1_of_pair_0_0_choice_3 := (not (((slice0window_sum_0_0 / 4) mod 2) = 1)) and
+          slice0winner1_of_pair_0_0_value;
+      else
+        slice0winner1_of_pair_0_0_choice_3 := (not (((slice0window_sum_0_0 / 4) mod 2) = 1)) or
+          slice0winner1_of_pair_0_0_value;
+      end if;
       slice0winner1_of_pair_0_0_value_2 := ((slice0window_sum_0_1 / 8) mod 2) = 1;
-      slice0winner1_of_pair_0_0_choice_4 := (not (((slice0window_sum_0_0 / 8) mod 2) = 1)) or
-        slice0winner1_of_pair_0_0_value_2 when slice0winner1_of_pair_0_0_choice_3 else (not (((slice0window_sum_0_0 /
-        8) mod 2) = 1)) and slice0winner1_of_pair_0_0_value_2;
+      if slice0winner1_of_pair_0_0_choice_3 then
+        slice0winner1_of_pair_0_0_choice_4 := (not (((slice0window_sum_0_0 / 8) mod 2) = 1)) or
+          slice0winner1_of_pair_0_0_value_2;
+      else
+        slice0winner1_of_pair_0_0_choice_4 := (not (((slice0window_sum_0_0 / 8) mod 2) = 1)) and
+          slice0winner1_of_pair_0_0_value_2;
+      end if;
       slice0winner1_of_pair_0_0_value_3 := ((slice0window_sum_0_1 / 16) mod 2) = 1;
-      slice0winner1_of_pair_0_0_choice_5 := (not (((slice0window_sum_0_0 / 16) mod 2) = 1)) or
-        slice0winner1_of_pair_0_0_value_3 when slice0winner1_of_pair_0_0_choice_4 else (not (((slice0window_sum_0_0 /
-        16) mod 2) = 1)) and slice0winner1_of_pair_0_0_value_3;
+      if slice0winner1_of_pair_0_0_choice_4 then
+        slice0winner1_of_pair_0_0_choice_5 := (not (((slice0window_sum_0_0 / 16) mod 2) = 1)) or
+          slice0winner1_of_pair_0_0_value_3;
+      else
+        slice0winner1_of_pair_0_0_choice_5 := (not (((slice0window_sum_0_0 / 16) mod 2) = 1)) and
+          slice0winner1_of_pair_0_0_value_3;
+      end if;
       slice0winner1_of_pair_0_0_value_4 := ((slice0window_sum_0_1 / 32) mod 2) = 1;
-      slice0winner1_of_pair_0_0_choice_6 := (not (((slice0window_sum_0_0 / 32) mod 2) = 1)) or
-        slice0winner1_of_pair_0_0_value_4 when slice0winner1_of_pair_0_0_choice_5 else (not (((slice0window_sum_0_0 /
-        32) mod 2) = 1)) and slice0winner1_of_pair_0_0_value_4;
+      if slice0winner1_of_pair_0_0_choice_5 then
+        slice0winner1_of_pair_0_0_choice_6 := (not (((slice0window_sum_0_0 / 32) mod 2) = 1)) or
+          slice0winner1_of_pair_0_0_value_4;
+      else
+        slice0winner1_of_pair_0_0_choice_6 := (not (((slice0window_sum_0_0 / 32) mod 2) = 1)) and
+          slice0winner1_of_pair_0_0_value_4;
+      end if;
       slice0winner1_of_pair_0_0_value_5 := ((slice0window_sum_0_1 / 64) mod 2) = 1;
-      slice0winner1_of_pair_0_0_choice_7 := (not (((slice0window_sum_0_0 / 64) mod 2) = 1)) or
-        slice0winner1_of_pair_0_0_value_5 when slice0winner1_of_pair_0_0_choice_6 else (not (((slice0window_sum_0_0 /
-        64) mod 2) = 1)) and slice0winner1_of_pair_0_0_value_5;
-      slice0winner1_of_pair_0_0_choice_8 := ((slice0window_sum_0_0 / 128) = 1) and (not ((slice0window_sum_0_1 / 128) =
-        1)) when slice0winner1_of_pair_0_0_choice_7 else ((slice0window_sum_0_0 / 128) = 1) or (not
-        ((slice0window_sum_0_1 / 128) = 1));
-      slice0winner1_of_pair_1_0_choice := (not (((slice0window_sum_1_1 / 2) mod 2) = 1)) or (not ((slice0window_sum_1_1
-        mod 2) = 1)) when (slice0window_sum_1_0 mod 2) = 1 else not (((slice0window_sum_1_1 / 2) mod 2) = 1);
-      slice0winner1_of_pair_1_0_choice_2 := slice0winner1_of_pair_1_0_choice when ((slice0window_sum_1_0 / 2) mod 2) =
-        1 else ((slice0window_sum_1_0 mod 2) = 1) and ((slice0window_sum_1_1 mod 4) = 0);
+      if slice0winner1_of_pair_0_0_choice_6 then
+        slice0winner1_of_pair_0_0_choice_7 := (not (((slice0window_sum_0_0 / 64) mod 2) = 1)) or
+          slice0winner1_of_pair_0_0_value_5;
+      else
+        slice0winner1_of_pair_0_0_choice_7 := (not (((slice0window_sum_0_0 / 64) mod 2) = 1)) and
+          slice0winner1_of_pair_0_0_value_5;
+      end if;
+      if slice0winner1_of_pair_0_0_choice_7 then
+        slice0winner1_of_pair_0_0_choice_8 := ((slice0window_sum_0_0 / 128) = 1) and (not ((slice0window_sum_0_1 / 128)
+          = 1));
+      else
+        slice0winner1_of_pair_0_0_choice_8 := ((slice0window_sum_0_0 / 128) = 1) or (not ((slice0window_sum_0_1 / 128)
+          = 1));
+      end if;
+      if (slice0window_sum_1_0 mod 2) = 1 then
+        slice0winner1_of_pair_1_0_choice := (not (((slice0window_sum_1_1 / 2) mod 2) = 1)) or (not
+          ((slice0window_sum_1_1 mod 2) = 1));
+      else
+        slice0winner1_of_pair_1_0_choice := not (((slice0window_sum_1_1 / 2) mod 2) = 1);
+      end if;
+      if ((slice0window_sum_1_0 / 2) mod 2) = 1 then
+        slice0winner1_of_pair_1_0_choice_2 := slice0winner1_of_pair_1_0_choice;
+      else
+        slice0winner1_of_pair_1_0_choice_2 := ((slice0window_sum_1_0 mod 2) = 1) and ((slice0window_sum_1_1 mod 4) = 0);
+      end if;
       slice0winner1_of_pair_1_0_value := ((slice0window_sum_1_1 / 4) mod 2) = 1;
-      slice0winner1_of_pair_1_0_choice_3 := (not (((slice0window_sum_1_0 / 4) mod 2) = 1)) and
-        slice0winner1_of_pair_1_0_value when slice0winner1_of_pair_1_0_choice_2 else (not (((slice0window_sum_1_0 / 4)
-        mod 2) = 1)) or slice0winner1_of_pair_1_0_value;
+      if slice0winner1_of_pair_1_0_choice_2 then
+        slice0winner1_of_pair_1_0_choice_3 := (not (((slice0window_sum_1_0 / 4) mod 2) = 1)) and
+          slice0winner1_of_pair_1_0_value;
+      else
+        slice0winner1_of_pair_1_0_choice_3 := (not (((slice0window_sum_1_0 / 4) mod 2) = 1)) or
+          slice0winner1_of_pair_1_0_value;
+      end if;
       slice0winner1_of_pair_1_0_value_2 := ((slice0window_sum_1_1 / 8) mod 2) = 1;
-      slice0winner1_of_pair_1_0_choice_4 := (not (((slice0window_sum_1_0 / 8) mod 2) = 1)) or
-        slice0winner1_of_pair_1_0_value_2 when slice0winner1_of_pair_1_0_choice_3 else (not (((slice0window_sum_1_0 /
-        8) mod 2) = 1)) and slice0winner1_of_pair_1_0_value_2;
+      if slice0winner1_of_pair_1_0_choice_3 then
+        slice0winner1_of_pair_1_0_choice_4 := (not (((slice0window_sum_1_0 / 8) mod 2) = 1)) or
+          slice0winner1_of_pair_1_0_value_2;
+      else
+        slice0winner1_of_pair_1_0_choice_4 := (not (((slice0window_sum_1_0 / 8) mod 2) = 1)) and
+          slice0winner1_of_pair_1_0_value_2;
+      end if;
       slice0winner1_of_pair_1_0_value_3 := ((slice0window_sum_1_1 / 16) mod 2) = 1;
-      slice0winner1_of_pair_1_0_choice_5 := (not (((slice0window_sum_1_0 / 16) mod 2) = 1)) or
-        slice0winner1_of_pair_1_0_value_3 when slice0winner1_of_pair_1_0_choice_4 else (not (((slice0window_sum_1_0 /
-        16) mod 2) = 1)) and slice0winner1_of_pair_1_0_value_3;
+      if slice0winner1_of_pair_1_0_choice_4 then
+        slice0winner1_of_pair_1_0_choice_5 := (not (((slice0window_sum_1_0 / 16) mod 2) = 1)) or
+          slice0winner1_of_pair_1_0_value_3;
+      else
+        slice0winner1_of_pair_1_0_choice_5 := (not (((slice0window_sum_1_0 / 16) mod 2) = 1)) and
+          slice0winner1_of_pair_1_0_value_3;
+      end if;
       slice0winner1_of_pair_1_0_value_4 := ((slice0window_sum_1_1 / 32) mod 2) = 1;
-      slice0winner1_of_pair_1_0_choice_6 := (not (((slice0window_sum_1_0 / 32) mod 2) = 1)) or
-        slice0winner1_of_pair_1_0_value_4 when slice0winner1_of_pair_1_0_choice_5 else (not (((slice0window_sum_1_0 /
-        32) mod 2) = 1)) and slice0winner1_of_pair_1_0_value_4;
+      if slice0winner1_of_pair_1_0_choice_5 then
+        slice0winner1_of_pair_1_0_choice_6 := (not (((slice0window_sum_1_0 / 32) mod 2) = 1)) or
+          slice0winner1_of_pair_1_0_value_4;
+      else
+        slice0winner1_of_pair_1_0_choice_6 := (not (((slice0window_sum_1_0 / 32) mod 2) = 1)) and
+          slice0winner1_of_pair_1_0_value_4;
+      end if;
       slice0winner1_of_pair_1_0_value_5 := ((slice0window_sum_1_1 / 64) mod 2) = 1;
-      slice0winner1_of_pair_1_0_choice_7 := (not (((slice0window_sum_1_0 / 64) mod 2) = 1)) or
-        slice0winner1_of_pair_1_0_value_5 when slice0winner1_of_pair_1_0_choice_6 else (not (((slice0window_sum_1_0 /
-        64) mod 2) = 1)) and slice0winner1_of_pair_1_0_value_5;
-      slice0winner1_of_pair_1_0_choice_8 := ((slice0window_sum_1_0 / 128) = 1) and (not ((slice0window_sum_1_1 / 128) =
-        1)) when slice0winner1_of_pair_1_0_choice_7 else ((slice0window_sum_1_0 / 128) = 1) or (not
-        ((slice0window_sum_1_1 / 128) = 1));
+      if slice0winner1_of_pair_1_0_choice_6 then
+        slice0winner1_of_pair_1_0_choice_7 := (not (((slice0window_sum_1_0 / 64) mod 2) = 1)) or
+          slice0winner1_of_pair_1_0_value_5;
+      else
+        slice0winner1_of_pair_1_0_choice_7 := (not (((slice0window_sum_1_0 / 64) mod 2) = 1)) and
+          slice0winner1_of_pair_1_0_value_5;
+      end if;
+      if slice0winner1_of_pair_1_0_choice_7 then
+        slice0winner1_of_pair_1_0_choice_8 := ((slice0window_sum_1_0 / 128) = 1) and (not ((slice0window_sum_1_1 / 128)
+          = 1));
+      else
+        slice0winner1_of_pair_1_0_choice_8 := ((slice0window_sum_1_0 / 128) = 1) or (not ((slice0window_sum_1_1 / 128)
+          = 1));
+      end if;
       slice0winner1_of_four_0_0_value := ((slice0winner1_of_pair_0_1 / 2) mod 2) = 1;
       slice0winner1_of_four_0_0_value_2 := ((slice0winner1_of_pair_0_0 / 2) mod 2) = 1;
-      slice0winner1_of_four_0_0_choice := (not (((slice0winner1_of_pair_0_2 / 2) mod 2) = 1)) or
-        slice0winner1_of_four_0_0_value or slice0winner1_of_four_0_0_value_2 when (not ((slice0winner1_of_pair_0_2 mod
-        2) = 1)) and (((slice0winner1_of_pair_0_1 mod 2) = 1) or ((slice0winner1_of_pair_0_0 mod 2) = 1)) else (not
-        (((slice0winner1_of_pair_0_2 / 2) mod 2) = 1)) and (slice0winner1_of_four_0_0_value or
-        slice0winner1_of_four_0_0_value_2);
+      if (not ((slice0winner1_of_pair_0_2 mod 2) = 1)) and (((slice0winner1_of_pair_0_1 mod 2) = 1) or
+        ((slice0winner1_of_pair_0_0 mod 2) = 1)) then
+        slice0winner1_of_four_0_0_choice := (not (((slice0winner1_of_pair_0_2 / 2) mod 2) = 1)) or
+          slice0winner1_of_four_0_0_value or slice0winner1_of_four_0_0_value_2;
+      else
+        slice0winner1_of_four_0_0_choice := (not (((slice0winner1_of_pair_0_2 / 2) mod 2) = 1)) and
+          (slice0winner1_of_four_0_0_value or slice0winner1_of_four_0_0_value_2);
+      end if;
       slice0winner1_of_four_0_0_value_3 := ((slice0winner1_of_pair_0_2 / 4) mod 2) = 1;
-      slice0winner1_of_four_0_0_choice_2 := slice0winner1_of_four_0_0_value_3 and (not (((slice0winner1_of_pair_0_1 /
-        4) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 4) mod 2) = 1)) when slice0winner1_of_four_0_0_choice
-        else slice0winner1_of_four_0_0_value_3 or ((not (((slice0winner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
-        (((slice0winner1_of_pair_0_0 / 4) mod 2) = 1)));
+      if slice0winner1_of_four_0_0_choice then
+        slice0winner1_of_four_0_0_choice_2 := slice0winner1_of_four_0_0_value_3 and (not (((slice0winner1_of_pair_0_1 /
+          4) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 4) mod 2) = 1));
+      else
+        slice0winner1_of_four_0_0_choice_2 := slice0winner1_of_four_0_0_value_3 or ((not (((slice0winner1_of_pair_0_1 /
+          4) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 4) mod 2) = 1)));
+      end if;
       slice0winner1_of_four_0_0_value_4 := ((slice0winner1_of_pair_0_2 / 8) mod 2) = 1;
-      slice0winner1_of_four_0_0_choice_3 := slice0winner1_of_four_0_0_value_4 or ((not (((slice0winner1_of_pair_0_1 /
-        8) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 8) mod 2) = 1))) when
-        slice0winner1_of_four_0_0_choice_2 else slice0winner1_of_four_0_0_value_4 and (not (((slice0winner1_of_pair_0_1
-        / 8) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 8) mod 2) = 1));
+      if slice0winner1_of_four_0_0_choice_2 then
+        slice0winner1_of_four_0_0_choice_3 := slice0winner1_of_four_0_0_value_4 or ((not (((slice0winner1_of_pair_0_1 /
+          8) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 8) mod 2) = 1)));
+      else
+        slice0winner1_of_four_0_0_choice_3 := slice0winner1_of_four_0_0_value_4 and (not (((slice0winner1_of_pair_0_1 /
+          8) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 8) mod 2) = 1));
+      end if;
       slice0winner1_of_four_0_0_value_5 := ((slice0winner1_of_pair_0_2 / 16) mod 2) = 1;
-      slice0winner1_of_four_0_0_choice_4 := slice0winner1_of_four_0_0_value_5 or ((not (((slice0winner1_of_pair_0_1 /
-        16) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 16) mod 2) = 1))) when
-        slice0winner1_of_four_0_0_choice_3 else slice0winner1_of_four_0_0_value_5 and (not (((slice0winner1_of_pair_0_1
-        / 16) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 16) mod 2) = 1));
+      if slice0winner1_of_four_0_0_choice_3 then
+        slice0winner1_of_four_0_0_choice_4 := slice0winner1_of_four_0_0_value_5 or ((not (((slice0winner1_of_pair_0_1 /
+          16) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 16) mod 2) = 1)));
+      else
+        slice0winner1_of_four_0_0_choice_4 := slice0winner1_of_four_0_0_value_5 and (not (((slice0winner1_of_pair_0_1 /
+          16) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 16) mod 2) = 1));
+      end if;
       slice0winner1_of_four_0_0_value_6 := ((slice0winner1_of_pair_0_2 / 32) mod 2) = 1;
-      slice0winner1_of_four_0_0_choice_5 := slice0winner1_of_four_0_0_value_6 or ((not (((slice0winner1_of_pair_0_1 /
-        32) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 32) mod 2) = 1))) when
-        slice0winner1_of_four_0_0_choice_4 else slice0winner1_of_four_0_0_value_6 and (not (((slice0winner1_of_pair_0_1
-        / 32) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 32) mod 2) = 1));
+      if slice0winner1_of_four_0_0_choice_4 then
+        slice0winner1_of_four_0_0_choice_5 := slice0winner1_of_four_0_0_value_6 or ((not (((slice0winner1_of_pair_0_1 /
+          32) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 32) mod 2) = 1)));
+      else
+        slice0winner1_of_four_0_0_choice_5 := slice0winner1_of_four_0_0_value_6 and (not (((slice0winner1_of_pair_0_1 /
+          32) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 32) mod 2) = 1));
+      end if;
       slice0winner1_of_four_0_0_value_7 := ((slice0winner1_of_pair_0_2 / 64) mod 2) = 1;
-      slice0winner1_of_four_0_0_choice_6 := slice0winner1_of_four_0_0_value_7 or ((not (((slice0winner1_of_pair_0_1 /
-        64) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 64) mod 2) = 1))) when
-        slice0winner1_of_four_0_0_choice_5 else slice0winner1_of_four_0_0_value_7 and (not (((slice0winner1_of_pair_0_1
-        / 64) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 64) mod 2) = 1));
-      slice0winner1_of_four_0_0_choice_7 := (not ((slice0winner1_of_pair_0_2 / 128) = 1)) and
-        (((slice0winner1_of_pair_0_1 / 128) = 1) or ((slice0winner1_of_pair_0_0 / 128) = 1)) when
-        slice0winner1_of_four_0_0_choice_6 else (not ((slice0winner1_of_pair_0_2 / 128) = 1)) or
-        ((slice0winner1_of_pair_0_1 / 128) = 1) or ((slice0winner1_of_pair_0_0 / 128) = 1);
+      if slice0winner1_of_four_0_0_choice_5 then
+        slice0winner1_of_four_0_0_choice_6 := slice0winner1_of_four_0_0_value_7 or ((not (((slice0winner1_of_pair_0_1 /
+          64) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 64) mod 2) = 1)));
+      else
+        slice0winner1_of_four_0_0_choice_6 := slice0winner1_of_four_0_0_value_7 and (not (((slice0winner1_of_pair_0_1 /
+          64) mod 2) = 1)) and (not (((slice0winner1_of_pair_0_0 / 64) mod 2) = 1));
+      end if;
+      if slice0winner1_of_four_0_0_choice_6 then
+        slice0winner1_of_four_0_0_choice_7 := (not ((slice0winner1_of_pair_0_2 / 128) = 1)) and
+          (((slice0winner1_of_pair_0_1 / 128) = 1) or ((slice0winner1_of_pair_0_0 / 128) = 1));
+      else
+        slice0winner1_of_four_0_0_choice_7 := (not ((slice0winner1_of_pair_0_2 / 128) = 1)) or
+          ((slice0winner1_of_pair_0_1 / 128) = 1) or ((slice0winner1_of_pair_0_0 / 128) = 1);
+      end if;
       slice0winner1_of_four_1_0_value := ((slice0winner1_of_pair_1_1 / 2) mod 2) = 1;
       slice0winner1_of_four_1_0_value_2 := ((slice0winner1_of_pair_1_0 / 2) mod 2) = 1;
-      slice0winner1_of_four_1_0_choice := (not (((slice0winner1_of_pair_1_2 / 2) mod 2) = 1)) or
-        slice0winner1_of_four_1_0_value or slice0winner1_of_four_1_0_value_2 when (not ((slice0winner1_of_pair_1_2 mod
-        2) = 1)) and (((slice0winner1_of_pair_1_1 mod 2) = 1) or ((slice0winner1_of_pair_1_0 mod 2) = 1)) else (not
-        (((slice0winner1_of_pair_1_2 / 2) mod 2) = 1)) and (slice0winner1_of_four_1_0_value or
-        slice0winner1_of_four_1_0_value_2);
+      if (not ((slice0winner1_of_pair_1_2 mod 2) = 1)) and (((slice0winner1_of_pair_1_1 mod 2) = 1) or
+        ((slice0winner1_of_pair_1_0 mod 2) = 1)) then
+        slice0winner1_of_four_1_0_choice := (not (((slice0winner1_of_pair_1_2 / 2) mod 2) = 1)) or
+          slice0winner1_of_four_1_0_value or slice0winner1_of_four_1_0_value_2;
+      else
+        slice0winner1_of_four_1_0_choice := (not (((slice0winner1_of_pair_1_2 / 2) mod 2) = 1)) and
+          (slice0winner1_of_four_1_0_value or slice0winner1_of_four_1_0_value_2);
+      end if;
       slice0winner1_of_four_1_0_value_3 := ((slice0winner1_of_pair_1_2 / 4) mod 2) = 1;
-      slice0winner1_of_four_1_0_choice_2 := slice0winner1_of_four_1_0_value_3 and (not (((slice0winner1_of_pair_1_1 /
-        4) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 4) mod 2) = 1)) when slice0winner1_of_four_1_0_choice
-        else slice0winner1_of_four_1_0_value_3 or ((not (((slice0winner1_of_pair_1_1 / 4) mod 2) = 1)) and (not
-        (((slice0winner1_of_pair_1_0 / 4) mod 2) = 1)));
+      if slice0winner1_of_four_1_0_choice then
+        slice0winner1_of_four_1_0_choice_2 := slice0winner1_of_four_1_0_value_3 and (not (((slice0winner1_of_pair_1_1 /
+          4) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 4) mod 2) = 1));
+      else
+        slice0winner1_of_four_1_0_choice_2 := slice0winner1_of_four_1_0_value_3 or ((not (((slice0winner1_of_pair_1_1 /
+          4) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 4) mod 2) = 1)));
+      end if;
       slice0winner1_of_four_1_0_value_4 := ((slice0winner1_of_pair_1_2 / 8) mod 2) = 1;
-      slice0winner1_of_four_1_0_choice_3 := slice0winner1_of_four_1_0_value_4 or ((not (((slice0winner1_of_pair_1_1 /
-        8) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 8) mod 2) = 1))) when
-        slice0winner1_of_four_1_0_choice_2 else slice0winner1_of_four_1_0_value_4 and (not (((slice0winner1_of_pair_1_1
-        / 8) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 8) mod 2) = 1));
+      if slice0winner1_of_four_1_0_choice_2 then
+        slice0winner1_of_four_1_0_choice_3 := slice0winner1_of_four_1_0_value_4 or ((not (((slice0winner1_of_pair_1_1 /
+          8) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 8) mod 2) = 1)));
+      else
+        slice0winner1_of_four_1_0_choice_3 := slice0winner1_of_four_1_0_value_4 and (not (((slice0winner1_of_pair_1_1 /
+          8) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 8) mod 2) = 1));
+      end if;
       slice0winner1_of_four_1_0_value_5 := ((slice0winner1_of_pair_1_2 / 16) mod 2) = 1;
-      slice0winner1_of_four_1_0_choice_4 := slice0winner1_of_four_1_0_value_5 or ((not (((slice0winner1_of_pair_1_1 /
-        16) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 16) mod 2) = 1))) when
-        slice0winner1_of_four_1_0_choice_3 else slice0winner1_of_four_1_0_value_5 and (not (((slice0winner1_of_pair_1_1
-        / 16) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 16) mod 2) = 1));
+      if slice0winner1_of_four_1_0_choice_3 then
+        slice0winner1_of_four_1_0_choice_4 := slice0winner1_of_four_1_0_value_5 or ((not (((slice0winner1_of_pair_1_1 /
+          16) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 16) mod 2) = 1)));
+      else
+        slice0winner1_of_four_1_0_choice_4 := slice0winner1_of_four_1_0_value_5 and (not (((slice0winner1_of_pair_1_1 /
+          16) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 16) mod 2) = 1));
+      end if;
       slice0winner1_of_four_1_0_value_6 := ((slice0winner1_of_pair_1_2 / 32) mod 2) = 1;
-      slice0winner1_of_four_1_0_choice_5 := slice0winner1_of_four_1_0_value_6 or ((not (((slice0winner1_of_pair_1_1 /
-        32) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 32) mod 2) = 1))) when
-        slice0winner1_of_four_1_0_choice_4 else slice0winner1_of_four_1_0_value_6 and (not (((slice0winner1_of_pair_1_1
-        / 32) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 32) mod 2) = 1));
+      if slice0winner1_of_four_1_0_choice_4 then
+        slice0winner1_of_four_1_0_choice_5 := slice0winner1_of_four_1_0_value_6 or ((not (((slice0winner1_of_pair_1_1 /
+          32) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 32) mod 2) = 1)));
+      else
+        slice0winner1_of_four_1_0_choice_5 := slice0winner1_of_four_1_0_value_6 and (not (((slice0winner1_of_pair_1_1 /
+          32) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 32) mod 2) = 1));
+      end if;
       slice0winner1_of_four_1_0_value_7 := ((slice0winner1_of_pair_1_2 / 64) mod 2) = 1;
-      slice0winner1_of_four_1_0_choice_6 := slice0winner1_of_four_1_0_value_7 or ((not (((slice0winner1_of_pair_1_1 /
-        64) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 64) mod 2) = 1))) when
-        slice0winner1_of_four_1_0_choice_5 else slice0winner1_of_four_1_0_value_7 and (not (((slice0winner1_of_pair_1_1
-        / 64) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 64) mod 2) = 1));
-      slice0winner1_of_four_1_0_choice_7 := (not ((slice0winner1_of_pair_1_2 / 128) = 1)) and
-        (((slice0winner1_of_pair_1_1 / 128) = 1) or ((slice0winner1_of_pair_1_0 / 128) = 1)) when
-        slice0winner1_of_four_1_0_choice_6 else (not ((slice0winner1_of_pair_1_2 / 128) = 1)) or
-        ((slice0winner1_of_pair_1_1 / 128) = 1) or ((slice0winner1_of_pair_1_0 / 128) = 1);
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_choice_8 else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_choice_8 else 0;
+      if slice0winner1_of_four_1_0_choice_5 then
+        slice0winner1_of_four_1_0_choice_6 := slice0winner1_of_four_1_0_value_7 or ((not (((slice0winner1_of_pair_1_1 /
+          64) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 64) mod 2) = 1)));
+      else
+        slice0winner1_of_four_1_0_choice_6 := slice0winner1_of_four_1_0_value_7 and (not (((slice0winner1_of_pair_1_1 /
+          64) mod 2) = 1)) and (not (((slice0winner1_of_pair_1_0 / 64) mod 2) = 1));
+      end if;
+      if slice0winner1_of_four_1_0_choice_6 then
+        slice0winner1_of_four_1_0_choice_7 := (not ((slice0winner1_of_pair_1_2 / 128) = 1)) and
+          (((slice0winner1_of_pair_1_1 / 128) = 1) or ((slice0winner1_of_pair_1_0 / 128) = 1));
+      else
+        slice0winner1_of_four_1_0_choice_7 := (not ((slice0winner1_of_pair_1_2 / 128) = 1)) or
+          ((slice0winner1_of_pair_1_1 / 128) = 1) or ((slice0winner1_of_pair_1_0 / 128) = 1);
+      end if;
       slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
-      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_choice_8 else slice0window_sum_1_0;
-      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_choice_8 else 0;
       slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
       slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_choice_8;
       slice0winner1_pair_index_0_1 <= 2;
       slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_choice_8;
       slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_choice_7 else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_choice_7 else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_choice_7 else 0;
-      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_choice_7 else slice0winner1_of_pair_1_0;
-      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_choice_7 else slice0winner1_of_pair_1_1;
-      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_choice_7 else 0;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_choice_7 else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_choice_7 else
-        as_number(slice0winner1_pair_index_1_0);
       slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
       slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
       slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
@@ -4323,6 +6986,42 @@ begin
       slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_of_pair_0_0_choice_8 then
+        slice0winner1_of_pair_0_0 <= 0;
+        slice0winner1_of_pair_0_1 <= slice0window_sum_0_1;
+      else
+        slice0winner1_of_pair_0_0 <= slice0window_sum_0_0;
+        slice0winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice0winner1_of_pair_1_0_choice_8 then
+        slice0winner1_of_pair_1_0 <= 0;
+        slice0winner1_of_pair_1_1 <= slice0window_sum_1_1;
+      else
+        slice0winner1_of_pair_1_0 <= slice0window_sum_1_0;
+        slice0winner1_of_pair_1_1 <= 0;
+      end if;
+      if slice0winner1_of_four_0_0_choice_7 then
+        slice0winner1_of_four_0_0 <= 0;
+        slice0winner1_of_four_0_1 <= 0;
+        slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2;
+        slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice0winner1_of_four_0_0 <= slice0winner1_of_pair_0_0;
+        slice0winner1_of_four_0_1 <= slice0winner1_of_pair_0_1;
+        slice0winner1_of_four_0_2 <= 0;
+        slice0winner1_four_index_0_0 <= as_number(slice0winner1_pair_index_0_0);
+      end if;
+      if slice0winner1_of_four_1_0_choice_7 then
+        slice0winner1_of_four_1_0 <= 0;
+        slice0winner1_of_four_1_1 <= 0;
+        slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2;
+        slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice0winner1_of_four_1_0 <= slice0winner1_of_pair_1_0;
+        slice0winner1_of_four_1_1 <= slice0winner1_of_pair_1_1;
+        slice0winner1_of_four_1_2 <= 0;
+        slice0winner1_four_index_1_0 <= as_number(slice0winner1_pair_index_1_0);
+      end if;
       if slice0winner1_pair_tag_valid then
         slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
         slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -4798,13 +7497,22 @@ begin
       slice1cost_single_3_0 <= slice1cost_pixels_cost_3_0;
       slice1cost_single_3_1 <= slice1cost_pixels_cost_3_1;
       slice1cost_single_3_2 <= slice1cost_pixels_cost_3_2;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_3_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_3_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_3_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_1_0 <= 0;
+        slice1cost_column_1_1 <= 0;
+        slice1cost_column_1_2 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_column_1_0 <= slice1cost_pair_0_0 + slice1cost_single_3_0;
+        slice1cost_column_1_1 <= slice1cost_pair_0_1 + slice1cost_single_3_1;
+        slice1cost_column_1_2 <= slice1cost_pair_0_2 + slice1cost_single_3_2;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -4827,223 +7535,425 @@ begin
       slice1window_sum_1_1 <= slice1cost_column_1_1 + slice1window_partial_1_1_1;
       slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_choice := (not (((slice1window_sum_0_1 / 2) mod 2) = 1)) or (not ((slice1window_sum_0_1
-        mod 2) = 1)) when (slice1window_sum_0_0 mod 2) = 1 else not (((slice1window_sum_0_1 / 2) mod 2) = 1);
-      slice1winner1_of_pair_0_0_choice_2 := slice1winner1_of_pair_0_0_choice when ((slice1window_sum_0_0 / 2) mod 2) =
-        1 else ((slice1window_sum_0_0 mod 2) = 1) and ((slice1window_sum_0_1 mod 4) = 0);
+      if (slice1window_sum_0_0 mod 2) = 1 then
+        slice1winner1_of_pair_0_0_choice := (not (((slice1window_sum_0_1 / 2) mod 2) = 1)) or (not
+          ((slice1window_sum_0_1 mod 2) = 1));
+      else
+        slice1winner1_of_pair_0_0_choice := not (((slice1window_sum_0_1 / 2) mod 2) = 1);
+      end if;
+      if ((slice1window_sum_0_0 / 2) mod 2) = 1 then
+        slice1winner1_of_pair_0_0_choice_2 := slice1winner1_of_pair_0_0_choice;
+      else
+        slice1winner1_of_pair_0_0_choice_2 := ((slice1window_sum_0_0 mod 2) = 1) and ((slice1window_sum_0_1 mod 4) = 0);
+      end if;
       slice1winner1_of_pair_0_0_value := ((slice1window_sum_0_1 / 4) mod 2) = 1;
-      slice1winner1_of_pair_0_0_choice_3 := (not (((slice1window_sum_0_0 / 4) mod 2) = 1)) and
-        slice1winner1_of_pair_0_0_value when slice1winner1_of_pair_0_0_choice_2 else (not (((slice1window_sum_0_0 / 4)
-        mod 2) = 1)) or slice1winner1_of_pair_0_0_value;
+      if slice1winner1_of_pair_0_0_choice_2 then
+        slice1winner1_of_pair_0_0_choice_3 := (not (((slice1window_sum_0_0 / 4) mod 2) = 1)) and
+          slice1winner1_of_pair_0_0_value;
+      else
+        slice1winner1_of_pair_0_0_choice_3 := (not (((slice1window_sum_0_0 / 4) mod 2) = 1)) or
+          slice1winner1_of_pair_0_0_value;
+      end if;
       slice1winner1_of_pair_0_0_value_2 := ((slice1window_sum_0_1 / 8) mod 2) = 1;
-      slice1winner1_of_pair_0_0_choice_4 := (not (((slice1window_sum_0_0 / 8) mod 2) = 1)) or
-        slice1winner1_of_pair_0_0_value_2 when slice1winner1_of_pair_0_0_choice_3 else (not (((slice1window_sum_0_0 /
-        8) mod 2) = 1)) and slice1winner1_of_pair_0_0_value_2;
+      if slice1winner1_of_pair_0_0_choice_3 then
+        slice1winner1_of_pair_0_0_choice_4 := (not (((slice1window_sum_0_0 / 8) mod 2) = 1)) or
+          slice1winner1_of_pair_0_0_value_2;
+      else
+        slice1winner1_of_pair_0_0_choice_4 := (not (((slice1window_sum_0_0 / 8) mod 2) = 1)) and
+          slice1winner1_of_pair_0_0_value_2;
+      end if;
       slice1winner1_of_pair_0_0_value_3 := ((slice1window_sum_0_1 / 16) mod 2) = 1;
-      slice1winner1_of_pair_0_0_choice_5 := (not (((slice1window_sum_0_0 / 16) mod 2) = 1)) or
-        slice1winner1_of_pair_0_0_value_3 when slice1winner1_of_pair_0_0_choice_4 else (not (((slice1window_sum_0_0 /
-        16) mod 2) = 1)) and slice1winner1_of_pair_0_0_value_3;
+      if slice1winner1_of_pair_0_0_choice_4 then
+        slice1winner1_of_pair_0_0_choice_5 := (not (((slice1window_sum_0_0 / 16) mod 2) = 1)) or
+          slice1winner1_of_pair_0_0_value_3;
+      else
+        slice1winner1_of_pair_0_0_choice_5 := (not (((slice1window_sum_0_0 / 16) mod 2) = 1)) and
+          slice1winner1_of_pair_0_0_value_3;
+      end if;
       slice1winner1_of_pair_0_0_value_4 := ((slice1window_sum_0_1 / 32) mod 2) = 1;
-      slice1winner1_of_pair_0_0_choice_6 := (not (((slice1window_sum_0_0 / 32) mod 2) = 1)) or
-        slice1winner1_of_pair_0_0_value_4 when slice1winner1_of_pair_0_0_choice_5 else (not (((slice1window_sum_0_0 /
-        32) mod 2) = 1)) and slice1winner1_of_pair_0_0_value_4;
+      if slice1winner1_of_pair_0_0_choice_5 then
+        slice1winner1_of_pair_0_0_choice_6 := (not (((slice1window_sum_0_0 / 32) mod 2) = 1)) or
+          slice1winner1_of_pair_0_0_value_4;
+      else
+        slice1winner1_of_pair_0_0_choice_6 := (not (((slice1window_sum_0_0 / 32) mod 2) = 1)) and
+          slice1winner1_of_pair_0_0_value_4;
+      end if;
       slice1winner1_of_pair_0_0_value_5 := ((slice1window_sum_0_1 / 64) mod 2) = 1;
-      slice1winner1_of_pair_0_0_choice_7 := (not (((slice1window_sum_0_0 / 64) mod 2) = 1)) or
-        slice1winner1_of_pair_0_0_value_5 when slice1winner1_of_pair_0_0_choice_6 else (not (((slice1window_sum_0_0 /
-        64) mod 2) = 1)) and slice1winner1_of_pair_0_0_value_5;
-      slice1winner1_of_pair_0_0_choice_8 := ((slice1window_sum_0_0 / 128) = 1) and (not ((slice1window_sum_0_1 / 128) =
-        1)) when slice1winner1_of_pair_0_0_choice_7 else ((slice1window_sum_0_0 / 128) = 1) or (not
-        ((slice1window_sum_0_1 / 128) = 1));
-      slice1winner1_of_pair_1_0_choice := (not (((slice1window_sum_1_1 / 2) mod 2) = 1)) or (not ((slice1window_sum_1_1
-        mod 2) = 1)) when (slice1window_sum_1_0 mod 2) = 1 else not (((slice1window_sum_1_1 / 2) mod 2) = 1);
-      slice1winner1_of_pair_1_0_choice_2 := slice1winner1_of_pair_1_0_choice when ((slice1window_sum_1_0 / 2) mod 2) =
-        1 else ((slice1window_sum_1_0 mod 2) = 1) and ((slice1window_sum_1_1 mod 4) = 0);
+      if slice1winner1_of_pair_0_0_choice_6 then
+        slice1winner1_of_pair_0_0_choice_7 := (not (((slice1window_sum_0_0 / 64) mod 2) = 1)) or
+          slice1winner1_of_pair_0_0_value_5;
+      else
+        slice1winner1_of_pair_0_0_choice_7 := (not (((slice1window_sum_0_0 / 64) mod 2) = 1)) and
+          slice1winner1_of_pair_0_0_value_5;
+      end if;
+      if slice1winner1_of_pair_0_0_choice_7 then
+        slice1winner1_of_pair_0_0_choice_8 := ((slice1window_sum_0_0 / 128) = 1) and (not ((slice1window_sum_0_1 / 128)
+          = 1));
+      else
+        slice1winner1_of_pair_0_0_choice_8 := ((slice1window_sum_0_0 / 128) = 1) or (not ((slice1window_sum_0_1 / 128)
+          = 1));
+      end if;
+      if (slice1window_sum_1_0 mod 2) = 1 then
+        slice1winner1_of_pair_1_0_choice := (not (((slice1window_sum_1_1 / 2) mod 2) = 1)) or (not
+          ((slice1window_sum_1_1 mod 2) = 1));
+      else
+        slice1winner1_of_pair_1_0_choice := not (((slice1window_sum_1_1 / 2) mod 2) = 1);
+      end if;
+      if ((slice1window_sum_1_0 / 2) mod 2) = 1 then
+        slice1winner1_of_pair_1_0_choice_2 := slice1winner1_of_pair_1_0_choice;
+      else
+        slice1winner1_of_pair_1_0_choice_2 := ((slice1window_sum_1_0 mod 2) = 1) and ((slice1window_sum_1_1 mod 4) = 0);
+      end if;
       slice1winner1_of_pair_1_0_value := ((slice1window_sum_1_1 / 4) mod 2) = 1;
-      slice1winner1_of_pair_1_0_choice_3 := (not (((slice1window_sum_1_0 / 4) mod 2) = 1)) and
-        slice1winner1_of_pair_1_0_value when slice1winner1_of_pair_1_0_choice_2 else (not (((slice1window_sum_1_0 / 4)
-        mod 2) = 1)) or slice1winner1_of_pair_1_0_value;
+      if slice1winner1_of_pair_1_0_choice_2 then
+        slice1winner1_of_pair_1_0_choice_3 := (not (((slice1window_sum_1_0 / 4) mod 2) = 1)) and
+          slice1winner1_of_pair_1_0_value;
+      else
+        slice1winner1_of_pair_1_0_choice_3 := (not (((slice1window_sum_1_0 / 4) mod 2) = 1)) or
+          slice1winner1_of_pair_1_0_value;
+      end if;
       slice1winner1_of_pair_1_0_value_2 := ((slice1window_sum_1_1 / 8) mod 2) = 1;
-      slice1winner1_of_pair_1_0_choice_4 := (not (((slice1window_sum_1_0 / 8) mod 2) = 1)) or
-        slice1winner1_of_pair_1_0_value_2 when slice1winner1_of_pair_1_0_choice_3 else (not (((slice1window_sum_1_0 /
-        8) mod 2) = 1)) and slice1winner1_of_pair_1_0_value_2;
+      if slice1winner1_of_pair_1_0_choice_3 then
+        slice1winner1_of_pair_1_0_choice_4 := (not (((slice1window_sum_1_0 / 8) mod 2) = 1)) or
+          slice1winner1_of_pair_1_0_value_2;
+      else
+        slice1winner1_of_pair_1_0_choice_4 := (not (((slice1window_sum_1_0 / 8) mod 2) = 1)) and
+          slice1winner1_of_pair_1_0_value_2;
+      end if;
       slice1winner1_of_pair_1_0_value_3 := ((slice1window_sum_1_1 / 16) mod 2) = 1;
-      slice1winner1_of_pair_1_0_choice_5 := (not (((slice1window_sum_1_0 / 16) mod 2) = 1)) or
-        slice1winner1_of_pair_1_0_value_3 when slice1winner1_of_pair_1_0_choice_4 else (not (((slice1window_sum_1_0 /
-        16) mod 2) = 1)) and slice1winner1_of_pair_1_0_value_3;
+      if slice1winner1_of_pair_1_0_choice_4 then
+        slice1winner1_of_pair_1_0_choice_5 := (not (((slice1window_sum_1_0 / 16) mod 2) = 1)) or
+          slice1winner1_of_pair_1_0_value_3;
+      else
+        slice1winner1_of_pair_1_0_choice_5 := (not (((slice1window_sum_1_0 / 16) mod 2) = 1)) and
+          slice1winner1_of_pair_1_0_value_3;
+      end if;
       slice1winner1_of_pair_1_0_value_4 := ((slice1window_sum_1_1 / 32) mod 2) = 1;
-      slice1winner1_of_pair_1_0_choice_6 := (not (((slice1window_sum_1_0 / 32) mod 2) = 1)) or
-        slice1winner1_of_pair_1_0_value_4 when slice1winner1_of_pair_1_0_choice_5 else (not (((slice1window_sum_1_0 /
-        32) mod 2) = 1)) and slice1winner1_of_pair_1_0_value_4;
+      if slice1winner1_of_pair_1_0_choice_5 then
+        slice1winner1_of_pair_1_0_choice_6 := (not (((slice1window_sum_1_0 / 32) mod 2) = 1)) or
+          slice1winner1_of_pair_1_0_value_4;
+      else
+        slice1winner1_of_pair_1_0_choice_6 := (not (((slice1window_sum_1_0 / 32) mod 2) = 1)) and
+          slice1winner1_of_pair_1_0_value_4;
+      end if;
       slice1winner1_of_pair_1_0_value_5 := ((slice1window_sum_1_1 / 64) mod 2) = 1;
-      slice1winner1_of_pair_1_0_choice_7 := (not (((slice1window_sum_1_0 / 64) mod 2) = 1)) or
-        slice1winner1_of_pair_1_0_value_5 when slice1winner1_of_pair_1_0_choice_6 else (not (((slice1window_sum_1_0 /
-        64) mod 2) = 1)) and slice1winner1_of_pair_1_0_value_5;
-      slice1winner1_of_pair_1_0_choice_8 := ((slice1window_sum_1_0 / 128) = 1) and (not ((slice1window_sum_1_1 / 128) =
-        1)) when slice1winner1_of_pair_1_0_choice_7 else ((slice1window_sum_1_0 / 128) = 1) or (not
-        ((slice1window_sum_1_1 / 128) = 1));
+      if slice1winner1_of_pair_1_0_choice_6 then
+        slice1winner1_of_pair_1_0_choice_7 := (not (((slice1window_sum_1_0 / 64) mod 2) = 1)) or
+          slice1winner1_of_pair_1_0_value_5;
+      else
+        slice1winner1_of_pair_1_0_choice_7 := (not (((slice1window_sum_1_0 / 64) mod 2) = 1)) and
+          slice1winner1_of_pair_1_0_value_5;
+      end if;
+      if slice1winner1_of_pair_1_0_choice_7 then
+        slice1winner1_of_pair_1_0_choice_8 := ((slice1window_sum_1_0 / 128) = 1) and (not ((slice1window_sum_1_1 / 128)
+          = 1));
+      else
+        slice1winner1_of_pair_1_0_choice_8 := ((slice1window_sum_1_0 / 128) = 1) or (not ((slice1window_sum_1_1 / 128)
+          = 1));
+      end if;
       slice1winner1_of_four_0_0_value := ((slice1winner1_of_pair_0_1 / 2) mod 2) = 1;
       slice1winner1_of_four_0_0_value_2 := ((slice1winner1_of_pair_0_0 / 2) mod 2) = 1;
-      slice1winner1_of_four_0_0_choice := (not (((slice1winner1_of_pair_0_2 / 2) mod 2) = 1)) or
-        slice1winner1_of_four_0_0_value or slice1winner1_of_four_0_0_value_2 when (not ((slice1winner1_of_pair_0_2 mod
-        2) = 1)) and (((slice1winner1_of_pair_0_1 mod 2) = 1) or ((slice1winner1_of_pair_0_0 mod 2) = 1)) else (not
-        (((slice1winner1_of_pair_0_2 / 2) mod 2) = 1)) and (slice1winner1_of_four_0_0_value or
-        slice1winner1_of_four_0_0_value_2);
+      if (not ((slice1winner1_of_pair_0_2 mod 2) = 1)) and (((slice1winner1_of_pair_0_1 mod 2) = 1) or
+        ((slice1winner1_of_pair_0_0 mod 2) = 1)) then
+        slice1winner1_of_four_0_0_choice := (not (((slice1winner1_of_pair_0_2 / 2) mod 2) = 1)) or
+          slice1winner1_of_four_0_0_value or slice1winner1_of_four_0_0_value_2;
+      else
+        slice1winner1_of_four_0_0_choice := (not (((slice1winner1_of_pair_0_2 / 2) mod 2) = 1)) and
+          (slice1winner1_of_four_0_0_value or slice1winner1_of_four_0_0_value_2);
+      end if;
       slice1winner1_of_four_0_0_value_3 := ((slice1winner1_of_pair_0_2 / 4) mod 2) = 1;
-      slice1winner1_of_four_0_0_choice_2 := slice1winner1_of_four_0_0_value_3 and (not (((slice1winner1_of_pair_0_1 /
-        4) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 4) mod 2) = 1)) when slice1winner1_of_four_0_0_choice
-        else slice1winner1_of_four_0_0_value_3 or ((not (((slice1winner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
-        (((slice1winner1_of_pair_0_0 / 4) mod 2) = 1)));
+      if slice1winner1_of_four_0_0_choice then
+        slice1winner1_of_four_0_0_choice_2 := slice1winner1_of_four_0_0_value_3 and (not (((slice1winner1_of_pair_0_1 /
+          4) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 4) mod 2) = 1));
+      else
+        slice1winner1_of_four_0_0_choice_2 := slice1winner1_of_four_0_0_value_3 or ((not (((slice1winner1_of_pair_0_1 /
+          4) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 4) mod 2) = 1)));
+      end if;
       slice1winner1_of_four_0_0_value_4 := ((slice1winner1_of_pair_0_2 / 8) mod 2) = 1;
-      slice1winner1_of_four_0_0_choice_3 := slice1winner1_of_four_0_0_value_4 or ((not (((slice1winner1_of_pair_0_1 /
-        8) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 8) mod 2) = 1))) when
-        slice1winner1_of_four_0_0_choice_2 else slice1winner1_of_four_0_0_value_4 and (not (((slice1winner1_of_pair_0_1
-        / 8) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 8) mod 2) = 1));
+      if slice1winner1_of_four_0_0_choice_2 then
+        slice1winner1_of_four_0_0_choice_3 := slice1winner1_of_four_0_0_value_4 or ((not (((slice1winner1_of_pair_0_1 /
+          8) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 8) mod 2) = 1)));
+      else
+        slice1winner1_of_four_0_0_choice_3 := slice1winner1_of_four_0_0_value_4 and (not (((slice1winner1_of_pair_0_1 /
+          8) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 8) mod 2) = 1));
+      end if;
       slice1winner1_of_four_0_0_value_5 := ((slice1winner1_of_pair_0_2 / 16) mod 2) = 1;
-      slice1winner1_of_four_0_0_choice_4 := slice1winner1_of_four_0_0_value_5 or ((not (((slice1winner1_of_pair_0_1 /
-        16) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 16) mod 2) = 1))) when
-        slice1winner1_of_four_0_0_choice_3 else slice1winner1_of_four_0_0_value_5 and (not (((slice1winner1_of_pair_0_1
-        / 16) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 16) mod 2) = 1));
+      if slice1winner1_of_four_0_0_choice_3 then
+        slice1winner1_of_four_0_0_choice_4 := slice1winner1_of_four_0_0_value_5 or ((not (((slice1winner1_of_pair_0_1 /
+          16) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 16) mod 2) = 1)));
+      else
+        slice1winner1_of_four_0_0_choice_4 := slice1winner1_of_four_0_0_value_5 and (not (((slice1winner1_of_pair_0_1 /
+          16) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 16) mod 2) = 1));
+      end if;
       slice1winner1_of_four_0_0_value_6 := ((slice1winner1_of_pair_0_2 / 32) mod 2) = 1;
-      slice1winner1_of_four_0_0_choice_5 := slice1winner1_of_four_0_0_value_6 or ((not (((slice1winner1_of_pair_0_1 /
-        32) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 32) mod 2) = 1))) when
-        slice1winner1_of_four_0_0_choice_4 else slice1winner1_of_four_0_0_value_6 and (not (((slice1winner1_of_pair_0_1
-        / 32) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 32) mod 2) = 1));
+      if slice1winner1_of_four_0_0_choice_4 then
+        slice1winner1_of_four_0_0_choice_5 := slice1winner1_of_four_0_0_value_6 or ((not (((slice1winner1_of_pair_0_1 /
+          32) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 32) mod 2) = 1)));
+      else
+        slice1winner1_of_four_0_0_choice_5 := slice1winner1_of_four_0_0_value_6 and (not (((slice1winner1_of_pair_0_1 /
+          32) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 32) mod 2) = 1));
+      end if;
       slice1winner1_of_four_0_0_value_7 := ((slice1winner1_of_pair_0_2 / 64) mod 2) = 1;
-      slice1winner1_of_four_0_0_choice_6 := slice1winner1_of_four_0_0_value_7 or ((not (((slice1winner1_of_pair_0_1 /
-        64) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 64) mod 2) = 1))) when
-        slice1winner1_of_four_0_0_choice_5 else slice1winner1_of_four_0_0_value_7 and (not (((slice1winner1_of_pair_0_1
-        / 64) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 64) mod 2) = 1));
-      slice1winner1_of_four_0_0_choice_7 := (not ((slice1winner1_of_pair_0_2 / 128) = 1)) and
-        (((slice1winner1_of_pair_0_1 / 128) = 1) or ((slice1winner1_of_pair_0_0 / 128) = 1)) when
-        slice1winner1_of_four_0_0_choice_6 else (not ((slice1winner1_of_pair_0_2 / 128) = 1)) or
-        ((slice1winner1_of_pair_0_1 / 128) = 1) or ((slice1winner1_of_pair_0_0 / 128) = 1);
+      if slice1winner1_of_four_0_0_choice_5 then
+        slice1winner1_of_four_0_0_choice_6 := slice1winner1_of_four_0_0_value_7 or ((not (((slice1winner1_of_pair_0_1 /
+          64) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 64) mod 2) = 1)));
+      else
+        slice1winner1_of_four_0_0_choice_6 := slice1winner1_of_four_0_0_value_7 and (not (((slice1winner1_of_pair_0_1 /
+          64) mod 2) = 1)) and (not (((slice1winner1_of_pair_0_0 / 64) mod 2) = 1));
+      end if;
+      if slice1winner1_of_four_0_0_choice_6 then
+        slice1winner1_of_four_0_0_choice_7 := (not ((slice1winner1_of_pair_0_2 / 128) = 1)) and
+          (((slice1winner1_of_pair_0_1 / 128) = 1) or ((slice1winner1_of_pair_0_0 / 128) = 1));
+      else
+        slice1winner1_of_four_0_0_choice_7 := (not ((slice1winner1_of_pair_0_2 / 128) = 1)) or
+          ((slice1winner1_of_pair_0_1 / 128) = 1) or ((slice1winner1_of_pair_0_0 / 128) = 1);
+      end if;
       slice1winner1_of_four_1_0_value := ((slice1winner1_of_pair_1_1 / 2) mod 2) = 1;
       slice1winner1_of_four_1_0_value_2 := ((slice1winner1_of_pair_1_0 / 2) mod 2) = 1;
-      slice1winner1_of_four_1_0_choice := (not (((slice1winner1_of_pair_1_2 / 2) mod 2) = 1)) or
-        slice1winner1_of_four_1_0_value or slice1winner1_of_four_1_0_value_2 when (not ((slice1winner1_of_pair_1_2 mod
-        2) = 1)) and (((slice1winner1_of_pair_1_1 mod 2) = 1) or ((slice1winner1_of_pair_1_0 mod 2) = 1)) else (not
-        (((slice1winner1_of_pair_1_2 / 2) mod 2) = 1)) and (slice1winner1_of_four_1_0_value or
-        slice1winner1_of_four_1_0_value_2);
+      if (not ((slice1winner1_of_pair_1_2 mod 2) = 1)) and (((slice1winner1_of_pair_1_1 mod 2) = 1) or
+        ((slice1winner1_of_pair_1_0 mod 2) = 1)) then
+        slice1winner1_of_four_1_0_choice := (not (((slice1winner1_of_pair_1_2 / 2) mod 2) = 1)) or
+          slice1winner1_of_four_1_0_value or slice1winner1_of_four_1_0_value_2;
+      else
+        slice1winner1_of_four_1_0_choice := (not (((slice1winner1_of_pair_1_2 / 2) mod 2) = 1)) and
+          (slice1winner1_of_four_1_0_value or slice1winner1_of_four_1_0_value_2);
+      end if;
       slice1winner1_of_four_1_0_value_3 := ((slice1winner1_of_pair_1_2 / 4) mod 2) = 1;
-      slice1winner1_of_four_1_0_choice_2 := slice1winner1_of_four_1_0_value_3 and (not (((slice1winner1_of_pair_1_1 /
-        4) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 4) mod 2) = 1)) when slice1winner1_of_four_1_0_choice
-        else slice1winner1_of_four_1_0_value_3 or ((not (((slice1winner1_of_pair_1_1 / 4) mod 2) = 1)) and (not
-        (((slice1winner1_of_pair_1_0 / 4) mod 2) = 1)));
+      if slice1winner1_of_four_1_0_choice then
+        slice1winner1_of_four_1_0_choice_2 := slice1winner1_of_four_1_0_value_3 and (not (((slice1winner1_of_pair_1_1 /
+          4) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 4) mod 2) = 1));
+      else
+        slice1winner1_of_four_1_0_choice_2 := slice1winner1_of_four_1_0_value_3 or ((not (((slice1winner1_of_pair_1_1 /
+          4) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 4) mod 2) = 1)));
+      end if;
       slice1winner1_of_four_1_0_value_4 := ((slice1winner1_of_pair_1_2 / 8) mod 2) = 1;
-      slice1winner1_of_four_1_0_choice_3 := slice1winner1_of_four_1_0_value_4 or ((not (((slice1winner1_of_pair_1_1 /
-        8) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 8) mod 2) = 1))) when
-        slice1winner1_of_four_1_0_choice_2 else slice1winner1_of_four_1_0_value_4 and (not (((slice1winner1_of_pair_1_1
-        / 8) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 8) mod 2) = 1));
+      if slice1winner1_of_four_1_0_choice_2 then
+        slice1winner1_of_four_1_0_choice_3 := slice1winner1_of_four_1_0_value_4 or ((not (((slice1winner1_of_pair_1_1 /
+          8) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 8) mod 2) = 1)));
+      else
+        slice1winner1_of_four_1_0_choice_3 := slice1winner1_of_four_1_0_value_4 and (not (((slice1winner1_of_pair_1_1 /
+          8) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 8) mod 2) = 1));
+      end if;
       slice1winner1_of_four_1_0_value_5 := ((slice1winner1_of_pair_1_2 / 16) mod 2) = 1;
-      slice1winner1_of_four_1_0_choice_4 := slice1winner1_of_four_1_0_value_5 or ((not (((slice1winner1_of_pair_1_1 /
-        16) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 16) mod 2) = 1))) when
-        slice1winner1_of_four_1_0_choice_3 else slice1winner1_of_four_1_0_value_5 and (not (((slice1winner1_of_pair_1_1
-        / 16) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 16) mod 2) = 1));
+      if slice1winner1_of_four_1_0_choice_3 then
+        slice1winner1_of_four_1_0_choice_4 := slice1winner1_of_four_1_0_value_5 or ((not (((slice1winner1_of_pair_1_1 /
+          16) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 16) mod 2) = 1)));
+      else
+        slice1winner1_of_four_1_0_choice_4 := slice1winner1_of_four_1_0_value_5 and (not (((slice1winner1_of_pair_1_1 /
+          16) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 16) mod 2) = 1));
+      end if;
       slice1winner1_of_four_1_0_value_6 := ((slice1winner1_of_pair_1_2 / 32) mod 2) = 1;
-      slice1winner1_of_four_1_0_choice_5 := slice1winner1_of_four_1_0_value_6 or ((not (((slice1winner1_of_pair_1_1 /
-        32) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 32) mod 2) = 1))) when
-        slice1winner1_of_four_1_0_choice_4 else slice1winner1_of_four_1_0_value_6 and (not (((slice1winner1_of_pair_1_1
-        / 32) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 32) mod 2) = 1));
+      if slice1winner1_of_four_1_0_choice_4 then
+        slice1winner1_of_four_1_0_choice_5 := slice1winner1_of_four_1_0_value_6 or ((not (((slice1winner1_of_pair_1_1 /
+          32) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 32) mod 2) = 1)));
+      else
+        slice1winner1_of_four_1_0_choice_5 := slice1winner1_of_four_1_0_value_6 and (not (((slice1winner1_of_pair_1_1 /
+          32) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 32) mod 2) = 1));
+      end if;
       slice1winner1_of_four_1_0_value_7 := ((slice1winner1_of_pair_1_2 / 64) mod 2) = 1;
-      slice1winner1_of_four_1_0_choice_6 := slice1winner1_of_four_1_0_value_7 or ((not (((slice1winner1_of_pair_1_1 /
-        64) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 64) mod 2) = 1))) when
-        slice1winner1_of_four_1_0_choice_5 else slice1winner1_of_four_1_0_value_7 and (not (((slice1winner1_of_pair_1_1
-        / 64) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 64) mod 2) = 1));
-      slice1winner1_of_four_1_0_choice_7 := (not ((slice1winner1_of_pair_1_2 / 128) = 1)) and
-        (((slice1winner1_of_pair_1_1 / 128) = 1) or ((slice1winner1_of_pair_1_0 / 128) = 1)) when
-        slice1winner1_of_four_1_0_choice_6 else (not ((slice1winner1_of_pair_1_2 / 128) = 1)) or
-        ((slice1winner1_of_pair_1_1 / 128) = 1) or ((slice1winner1_of_pair_1_0 / 128) = 1);
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_choice_8 else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_choice_8 else 0;
+      if slice1winner1_of_four_1_0_choice_5 then
+        slice1winner1_of_four_1_0_choice_6 := slice1winner1_of_four_1_0_value_7 or ((not (((slice1winner1_of_pair_1_1 /
+          64) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 64) mod 2) = 1)));
+      else
+        slice1winner1_of_four_1_0_choice_6 := slice1winner1_of_four_1_0_value_7 and (not (((slice1winner1_of_pair_1_1 /
+          64) mod 2) = 1)) and (not (((slice1winner1_of_pair_1_0 / 64) mod 2) = 1));
+      end if;
+      if slice1winner1_of_four_1_0_choice_6 then
+        slice1winner1_of_four_1_0_choice_7 := (not ((slice1winner1_of_pair_1_2 / 128) = 1)) and
+          (((slice1winner1_of_pair_1_1 / 128) = 1) or ((slice1winner1_of_pair_1_0 / 128) = 1));
+      else
+        slice1winner1_of_four_1_0_choice_7 := (not ((slice1winner1_of_pair_1_2 / 128) = 1)) or
+          ((slice1winner1_of_pair_1_1 / 128) = 1) or ((slice1winner1_of_pair_1_0 / 128) = 1);
+      end if;
       slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
-      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_choice_8 else slice1window_sum_1_0;
-      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_choice_8 else 0;
       slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
       slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_choice_8;
       slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_choice_8;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_choice_7 else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_choice_7 else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_choice_7 else 0;
-      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_choice_7 else slice1winner1_of_pair_1_0;
-      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_choice_7 else slice1winner1_of_pair_1_1;
-      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_choice_7 else 0;
-      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_choice_7 else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_choice_7 else
-        as_number(slice1winner1_pair_index_1_0);
       slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 8)) or
         (to_unsigned(slice1winner1_of_four_0_2, 8)))) or (to_unsigned(slice1winner1_of_four_0_0, 8))));
       slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 8)) or
         (to_unsigned(slice1winner1_of_four_1_2, 8)))) or (to_unsigned(slice1winner1_of_four_1_0, 8))));
       slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
       slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
+      if slice1winner1_of_pair_0_0_choice_8 then
+        slice1winner1_of_pair_0_0 <= 0;
+        slice1winner1_of_pair_0_1 <= slice1window_sum_0_1;
+      else
+        slice1winner1_of_pair_0_0 <= slice1window_sum_0_0;
+        slice1winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice1winner1_of_pair_1_0_choice_8 then
+        slice1winner1_of_pair_1_0 <= 0;
+        slice1winner1_of_pair_1_1 <= slice1window_sum_1_1;
+      else
+        slice1winner1_of_pair_1_0 <= slice1window_sum_1_0;
+        slice1winner1_of_pair_1_1 <= 0;
+      end if;
+      if slice1winner1_of_four_0_0_choice_7 then
+        slice1winner1_of_four_0_0 <= 0;
+        slice1winner1_of_four_0_1 <= 0;
+        slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2;
+        slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice1winner1_of_four_0_0 <= slice1winner1_of_pair_0_0;
+        slice1winner1_of_four_0_1 <= slice1winner1_of_pair_0_1;
+        slice1winner1_of_four_0_2 <= 0;
+        slice1winner1_four_index_0_0 <= as_number(slice1winner1_pair_index_0_0);
+      end if;
+      if slice1winner1_of_four_1_0_choice_7 then
+        slice1winner1_of_four_1_0 <= 0;
+        slice1winner1_of_four_1_1 <= 0;
+        slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2;
+        slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice1winner1_of_four_1_0 <= slice1winner1_of_pair_1_0;
+        slice1winner1_of_four_1_1 <= slice1winner1_of_pair_1_1;
+        slice1winner1_of_four_1_2 <= 0;
+        slice1winner1_four_index_1_0 <= as_number(slice1winner1_pair_index_1_0);
+      end if;
       -- slice1
-      slice1_best_index_0_0_choice := (not (((slice0_best_cost_0_0 / 2) mod 2) = 1)) or (not ((slice0_best_cost_0_0 mod
-        2) = 1)) when (slice1winner1_best_cost_0_0 mod 2) = 1 else not (((slice0_best_cost_0_0 / 2) mod 2) = 1);
-      slice1_best_index_0_0_choice_2 := slice1_best_index_0_0_choice when ((slice1winner1_best_cost_0_0 / 2) mod 2) = 1
-        else ((slice1winner1_best_cost_0_0 mod 2) = 1) and ((slice0_best_cost_0_0 mod 4) = 0);
+      if (slice1winner1_best_cost_0_0 mod 2) = 1 then
+        slice1_best_index_0_0_choice := (not (((slice0_best_cost_0_0 / 2) mod 2) = 1)) or (not ((slice0_best_cost_0_0
+          mod 2) = 1));
+      else
+        slice1_best_index_0_0_choice := not (((slice0_best_cost_0_0 / 2) mod 2) = 1);
+      end if;
+      if ((slice1winner1_best_cost_0_0 / 2) mod 2) = 1 then
+        slice1_best_index_0_0_choice_2 := slice1_best_index_0_0_choice;
+      else
+        slice1_best_index_0_0_choice_2 := ((slice1winner1_best_cost_0_0 mod 2) = 1) and ((slice0_best_cost_0_0 mod 4) =
+          0);
+      end if;
       slice1_best_index_0_0_value := ((slice0_best_cost_0_0 / 4) mod 2) = 1;
-      slice1_best_index_0_0_choice_3 := (not (((slice1winner1_best_cost_0_0 / 4) mod 2) = 1)) and
-        slice1_best_index_0_0_value when slice1_best_index_0_0_choice_2 else (not (((slice1winner1_best_cost_0_0 / 4)
-        mod 2) = 1)) or slice1_best_index_0_0_value;
+      if slice1_best_index_0_0_choice_2 then
+        slice1_best_index_0_0_choice_3 := (not (((slice1winner1_best_cost_0_0 / 4) mod 2) = 1)) and
+          slice1_best_index_0_0_value;
+      else
+        slice1_best_index_0_0_choice_3 := (not (((slice1winner1_best_cost_0_0 / 4) mod 2) = 1)) or
+          slice1_best_index_0_0_value;
+      end if;
       slice1_best_index_0_0_value_2 := ((slice0_best_cost_0_0 / 8) mod 2) = 1;
-      slice1_best_index_0_0_choice_4 := (not (((slice1winner1_best_cost_0_0 / 8) mod 2) = 1)) or
-        slice1_best_index_0_0_value_2 when slice1_best_index_0_0_choice_3 else (not (((slice1winner1_best_cost_0_0 / 8)
-        mod 2) = 1)) and slice1_best_index_0_0_value_2;
+      if slice1_best_index_0_0_choice_3 then
+        slice1_best_index_0_0_choice_4 := (not (((slice1winner1_best_cost_0_0 / 8) mod 2) = 1)) or
+          slice1_best_index_0_0_value_2;
+      else
+        slice1_best_index_0_0_choice_4 := (not (((slice1winner1_best_cost_0_0 / 8) mod 2) = 1)) and
+          slice1_best_index_0_0_value_2;
+      end if;
       slice1_best_index_0_0_value_3 := ((slice0_best_cost_0_0 / 16) mod 2) = 1;
-      slice1_best_index_0_0_choice_5 := (not (((slice1winner1_best_cost_0_0 / 16) mod 2) = 1)) or
-        slice1_best_index_0_0_value_3 when slice1_best_index_0_0_choice_4 else (not (((slice1winner1_best_cost_0_0 /
-        16) mod 2) = 1)) and slice1_best_index_0_0_value_3;
+      if slice1_best_index_0_0_choice_4 then
+        slice1_best_index_0_0_choice_5 := (not (((slice1winner1_best_cost_0_0 / 16) mod 2) = 1)) or
+          slice1_best_index_0_0_value_3;
+      else
+        slice1_best_index_0_0_choice_5 := (not (((slice1winner1_best_cost_0_0 / 16) mod 2) = 1)) and
+          slice1_best_index_0_0_value_3;
+      end if;
       slice1_best_index_0_0_value_4 := ((slice0_best_cost_0_0 / 32) mod 2) = 1;
-      slice1_best_index_0_0_choice_6 := (not (((slice1winner1_best_cost_0_0 / 32) mod 2) = 1)) or
-        slice1_best_index_0_0_value_4 when slice1_best_index_0_0_choice_5 else (not (((slice1winner1_best_cost_0_0 /
-        32) mod 2) = 1)) and slice1_best_index_0_0_value_4;
+      if slice1_best_index_0_0_choice_5 then
+        slice1_best_index_0_0_choice_6 := (not (((slice1winner1_best_cost_0_0 / 32) mod 2) = 1)) or
+          slice1_best_index_0_0_value_4;
+      else
+        slice1_best_index_0_0_choice_6 := (not (((slice1winner1_best_cost_0_0 / 32) mod 2) = 1)) and
+          slice1_best_index_0_0_value_4;
+      end if;
       slice1_best_index_0_0_value_5 := ((slice0_best_cost_0_0 / 64) mod 2) = 1;
-      slice1_best_index_0_0_choice_7 := (not (((slice1winner1_best_cost_0_0 / 64) mod 2) = 1)) or
-        slice1_best_index_0_0_value_5 when slice1_best_index_0_0_choice_6 else (not (((slice1winner1_best_cost_0_0 /
-        64) mod 2) = 1)) and slice1_best_index_0_0_value_5;
-      slice1_best_index_0_0_choice_8 := ((slice1winner1_best_cost_0_0 / 128) = 1) and (not ((slice0_best_cost_0_0 /
-        128) = 1)) when slice1_best_index_0_0_choice_7 else ((slice1winner1_best_cost_0_0 / 128) = 1) or (not
-        ((slice0_best_cost_0_0 / 128) = 1));
-      slice1_best_index_1_0_choice := (not (((slice0_best_cost_1_0 / 2) mod 2) = 1)) or (not ((slice0_best_cost_1_0 mod
-        2) = 1)) when (slice1winner1_best_cost_1_0 mod 2) = 1 else not (((slice0_best_cost_1_0 / 2) mod 2) = 1);
-      slice1_best_index_1_0_choice_2 := slice1_best_index_1_0_choice when ((slice1winner1_best_cost_1_0 / 2) mod 2) = 1
-        else ((slice1winner1_best_cost_1_0 mod 2) = 1) and ((slice0_best_cost_1_0 mod 4) = 0);
+      if slice1_best_index_0_0_choice_6 then
+        slice1_best_index_0_0_choice_7 := (not (((slice1winner1_best_cost_0_0 / 64) mod 2) = 1)) or
+          slice1_best_index_0_0_value_5;
+      else
+        slice1_best_index_0_0_choice_7 := (not (((slice1winner1_best_cost_0_0 / 64) mod 2) = 1)) and
+          slice1_best_index_0_0_value_5;
+      end if;
+      if slice1_best_index_0_0_choice_7 then
+        slice1_best_index_0_0_choice_8 := ((slice1winner1_best_cost_0_0 / 128) = 1) and (not ((slice0_best_cost_0_0 /
+          128) = 1));
+      else
+        slice1_best_index_0_0_choice_8 := ((slice1winner1_best_cost_0_0 / 128) = 1) or (not ((slice0_best_cost_0_0 /
+          128) = 1));
+      end if;
+      if (slice1winner1_best_cost_1_0 mod 2) = 1 then
+        slice1_best_index_1_0_choice := (not (((slice0_best_cost_1_0 / 2) mod 2) = 1)) or (not ((slice0_best_cost_1_0
+          mod 2) = 1));
+      else
+        slice1_best_index_1_0_choice := not (((slice0_best_cost_1_0 / 2) mod 2) = 1);
+      end if;
+      if ((slice1winner1_best_cost_1_0 / 2) mod 2) = 1 then
+        slice1_best_index_1_0_choice_2 := slice1_best_index_1_0_choice;
+      else
+        slice1_best_index_1_0_choice_2 := ((slice1winner1_best_cost_1_0 mod 2) = 1) and ((slice0_best_cost_1_0 mod 4) =
+          0);
+      end if;
       slice1_best_index_1_0_value := ((slice0_best_cost_1_0 / 4) mod 2) = 1;
-      slice1_best_index_1_0_choice_3 := (not (((slice1winner1_best_cost_1_0 / 4) mod 2) = 1)) and
-        slice1_best_index_1_0_value when slice1_best_index_1_0_choice_2 else (not (((slice1winner1_best_cost_1_0 / 4)
-        mod 2) = 1)) or slice1_best_index_1_0_value;
+      if slice1_best_index_1_0_choice_2 then
+        slice1_best_index_1_0_choice_3 := (not (((slice1winner1_best_cost_1_0 / 4) mod 2) = 1)) and
+          slice1_best_index_1_0_value;
+      else
+        slice1_best_index_1_0_choice_3 := (not (((slice1winner1_best_cost_1_0 / 4) mod 2) = 1)) or
+          slice1_best_index_1_0_value;
+      end if;
       slice1_best_index_1_0_value_2 := ((slice0_best_cost_1_0 / 8) mod 2) = 1;
-      slice1_best_index_1_0_choice_4 := (not (((slice1winner1_best_cost_1_0 / 8) mod 2) = 1)) or
-        slice1_best_index_1_0_value_2 when slice1_best_index_1_0_choice_3 else (not (((slice1winner1_best_cost_1_0 / 8)
-        mod 2) = 1)) and slice1_best_index_1_0_value_2;
+      if slice1_best_index_1_0_choice_3 then
+        slice1_best_index_1_0_choice_4 := (not (((slice1winner1_best_cost_1_0 / 8) mod 2) = 1)) or
+          slice1_best_index_1_0_value_2;
+      else
+        slice1_best_index_1_0_choice_4 := (not (((slice1winner1_best_cost_1_0 / 8) mod 2) = 1)) and
+          slice1_best_index_1_0_value_2;
+      end if;
       slice1_best_index_1_0_value_3 := ((slice0_best_cost_1_0 / 16) mod 2) = 1;
-      slice1_best_index_1_0_choice_5 := (not (((slice1winner1_best_cost_1_0 / 16) mod 2) = 1)) or
-        slice1_best_index_1_0_value_3 when slice1_best_index_1_0_choice_4 else (not (((slice1winner1_best_cost_1_0 /
-        16) mod 2) = 1)) and slice1_best_index_1_0_value_3;
+      if slice1_best_index_1_0_choice_4 then
+        slice1_best_index_1_0_choice_5 := (not (((slice1winner1_best_cost_1_0 / 16) mod 2) = 1)) or
+          slice1_best_index_1_0_value_3;
+      else
+        slice1_best_index_1_0_choice_5 := (not (((slice1winner1_best_cost_1_0 / 16) mod 2) = 1)) and
+          slice1_best_index_1_0_value_3;
+      end if;
       slice1_best_index_1_0_value_4 := ((slice0_best_cost_1_0 / 32) mod 2) = 1;
-      slice1_best_index_1_0_choice_6 := (not (((slice1winner1_best_cost_1_0 / 32) mod 2) = 1)) or
-        slice1_best_index_1_0_value_4 when slice1_best_index_1_0_choice_5 else (not (((slice1winner1_best_cost_1_0 /
-        32) mod 2) = 1)) and slice1_best_index_1_0_value_4;
+      if slice1_best_index_1_0_choice_5 then
+        slice1_best_index_1_0_choice_6 := (not (((slice1winner1_best_cost_1_0 / 32) mod 2) = 1)) or
+          slice1_best_index_1_0_value_4;
+      else
+        slice1_best_index_1_0_choice_6 := (not (((slice1winner1_best_cost_1_0 / 32) mod 2) = 1)) and
+          slice1_best_index_1_0_value_4;
+      end if;
       slice1_best_index_1_0_value_5 := ((slice0_best_cost_1_0 / 64) mod 2) = 1;
-      slice1_best_index_1_0_choice_7 := (not (((slice1winner1_best_cost_1_0 / 64) mod 2) = 1)) or
-        slice1_best_index_1_0_value_5 when slice1_best_index_1_0_choice_6 else (not (((slice1winner1_best_cost_1_0 /
-        64) mod 2) = 1)) and slice1_best_index_1_0_value_5;
-      slice1_best_index_1_0_choice_8 := ((slice1winner1_best_cost_1_0 / 128) = 1) and (not ((slice0_best_cost_1_0 /
-        128) = 1)) when slice1_best_index_1_0_choice_7 else ((slice1winner1_best_cost_1_0 / 128) = 1) or (not
-        ((slice0_best_cost_1_0 / 128) = 1));
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0 else
-        slice1winner1_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0 else
-        slice1winner1_best_cost_1_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_index_0_0_choice_8 else
-        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
-      slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_index_1_0_choice_8 else
-        (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
+      if slice1_best_index_1_0_choice_6 then
+        slice1_best_index_1_0_choice_7 := (not (((slice1winner1_best_cost_1_0 / 64) mod 2) = 1)) or
+          slice1_best_index_1_0_value_5;
+      else
+        slice1_best_index_1_0_choice_7 := (not (((slice1winner1_best_cost_1_0 / 64) mod 2) = 1)) and
+          slice1_best_index_1_0_value_5;
+      end if;
+      if slice1_best_index_1_0_choice_7 then
+        slice1_best_index_1_0_choice_8 := ((slice1winner1_best_cost_1_0 / 128) = 1) and (not ((slice0_best_cost_1_0 /
+          128) = 1));
+      else
+        slice1_best_index_1_0_choice_8 := ((slice1winner1_best_cost_1_0 / 128) = 1) or (not ((slice0_best_cost_1_0 /
+          128) = 1));
+      end if;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0 then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+      end if;
+      if (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0 then
+        slice1_best_cost_1_0 <= slice0_best_cost_1_0;
+      else
+        slice1_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+      end if;
+      if slice1_best_index_0_0_choice_8 then
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_index_0_0 <= (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
+      end if;
+      if slice1_best_index_1_0_choice_8 then
+        slice1_best_index_1_0 <= slice0_best_index_1_0;
+      else
+        slice1_best_index_1_0 <= (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
+      end if;
       -- slice2shift
       if slice0cost_pixels_first_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -5374,10 +8284,17 @@ begin
       slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
       slice2cost_single_3_0 <= slice2cost_pixels_cost_3_0;
       slice2cost_single_3_1 <= slice2cost_pixels_cost_3_1;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_3_0;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_3_1;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+        slice2cost_column_1_0 <= 0;
+        slice2cost_column_1_1 <= 0;
+      else
+        slice2cost_column_0_0 <= slice2cost_pair_0_0 + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= slice2cost_pair_0_1 + slice2cost_single_0_1;
+        slice2cost_column_1_0 <= slice2cost_pair_0_0 + slice2cost_single_3_0;
+        slice2cost_column_1_1 <= slice2cost_pair_0_1 + slice2cost_single_3_1;
+      end if;
       -- slice2window
       if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -5394,66 +8311,130 @@ begin
       slice2window_sum_1_0 <= slice2cost_column_1_0 + slice2window_partial_1_1_0;
       slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_1_1;
       -- slice2winner1
-      slice2winner1_best_index_0_0_choice := (not (((slice2window_sum_0_1 / 2) mod 2) = 1)) or (not
-        ((slice2window_sum_0_1 mod 2) = 1)) when (slice2window_sum_0_0 mod 2) = 1 else not (((slice2window_sum_0_1 / 2)
-        mod 2) = 1);
-      slice2winner1_best_index_0_0_choice_2 := slice2winner1_best_index_0_0_choice when ((slice2window_sum_0_0 / 2) mod
-        2) = 1 else ((slice2window_sum_0_0 mod 2) = 1) and ((slice2window_sum_0_1 mod 4) = 0);
+      if (slice2window_sum_0_0 mod 2) = 1 then
+        slice2winner1_best_index_0_0_choice := (not (((slice2window_sum_0_1 / 2) mod 2) = 1)) or (not
+          ((slice2window_sum_0_1 mod 2) = 1));
+      else
+        slice2winner1_best_index_0_0_choice := not (((slice2window_sum_0_1 / 2) mod 2) = 1);
+      end if;
+      if ((slice2window_sum_0_0 / 2) mod 2) = 1 then
+        slice2winner1_best_index_0_0_choice_2 := slice2winner1_best_index_0_0_choice;
+      else
+        slice2winner1_best_index_0_0_choice_2 := ((slice2window_sum_0_0 mod 2) = 1) and ((slice2window_sum_0_1 mod 4) =
+          0);
+      end if;
       slice2winner1_best_index_0_0_value := ((slice2window_sum_0_1 / 4) mod 2) = 1;
-      slice2winner1_best_index_0_0_choice_3 := (not (((slice2window_sum_0_0 / 4) mod 2) = 1)) and
-        slice2winner1_best_index_0_0_value when slice2winner1_best_index_0_0_choice_2 else (not (((slice2window_sum_0_0
-        / 4) mod 2) = 1)) or slice2winner1_best_index_0_0_value;
+      if slice2winner1_best_index_0_0_choice_2 then
+        slice2winner1_best_index_0_0_choice_3 := (not (((slice2window_sum_0_0 / 4) mod 2) = 1)) and
+          slice2winner1_best_index_0_0_value;
+      else
+        slice2winner1_best_index_0_0_choice_3 := (not (((slice2window_sum_0_0 / 4) mod 2) = 1)) or
+          slice2winner1_best_index_0_0_value;
+      end if;
       slice2winner1_best_index_0_0_value_2 := ((slice2window_sum_0_1 / 8) mod 2) = 1;
-      slice2winner1_best_index_0_0_choice_4 := (not (((slice2window_sum_0_0 / 8) mod 2) = 1)) or
-        slice2winner1_best_index_0_0_value_2 when slice2winner1_best_index_0_0_choice_3 else (not
-        (((slice2window_sum_0_0 / 8) mod 2) = 1)) and slice2winner1_best_index_0_0_value_2;
+      if slice2winner1_best_index_0_0_choice_3 then
+        slice2winner1_best_index_0_0_choice_4 := (not (((slice2window_sum_0_0 / 8) mod 2) = 1)) or
+          slice2winner1_best_index_0_0_value_2;
+      else
+        slice2winner1_best_index_0_0_choice_4 := (not (((slice2window_sum_0_0 / 8) mod 2) = 1)) and
+          slice2winner1_best_index_0_0_value_2;
+      end if;
       slice2winner1_best_index_0_0_value_3 := ((slice2window_sum_0_1 / 16) mod 2) = 1;
-      slice2winner1_best_index_0_0_choice_5 := (not (((slice2window_sum_0_0 / 16) mod 2) = 1)) or
-        slice2winner1_best_index_0_0_value_3 when slice2winner1_best_index_0_0_choice_4 else (not
-        (((slice2window_sum_0_0 / 16) mod 2) = 1)) and slice2winner1_best_index_0_0_value_3;
+      if slice2winner1_best_index_0_0_choice_4 then
+        slice2winner1_best_index_0_0_choice_5 := (not (((slice2window_sum_0_0 / 16) mod 2) = 1)) or
+          slice2winner1_best_index_0_0_value_3;
+      else
+        slice2winner1_best_index_0_0_choice_5 := (not (((slice2window_sum_0_0 / 16) mod 2) = 1)) and
+          slice2winner1_best_index_0_0_value_3;
+      end if;
       slice2winner1_best_index_0_0_value_4 := ((slice2window_sum_0_1 / 32) mod 2) = 1;
-      slice2winner1_best_index_0_0_choice_6 := (not (((slice2window_sum_0_0 / 32) mod 2) = 1)) or
-        slice2winner1_best_index_0_0_value_4 when slice2winner1_best_index_0_0_choice_5 else (not
-        (((slice2window_sum_0_0 / 32) mod 2) = 1)) and slice2winner1_best_index_0_0_value_4;
+      if slice2winner1_best_index_0_0_choice_5 then
+        slice2winner1_best_index_0_0_choice_6 := (not (((slice2window_sum_0_0 / 32) mod 2) = 1)) or
+          slice2winner1_best_index_0_0_value_4;
+      else
+        slice2winner1_best_index_0_0_choice_6 := (not (((slice2window_sum_0_0 / 32) mod 2) = 1)) and
+          slice2winner1_best_index_0_0_value_4;
+      end if;
       slice2winner1_best_index_0_0_value_5 := ((slice2window_sum_0_1 / 64) mod 2) = 1;
-      slice2winner1_best_index_0_0_choice_7 := (not (((slice2window_sum_0_0 / 64) mod 2) = 1)) or
-        slice2winner1_best_index_0_0_value_5 when slice2winner1_best_index_0_0_choice_6 else (not
-        (((slice2window_sum_0_0 / 64) mod 2) = 1)) and slice2winner1_best_index_0_0_value_5;
-      slice2winner1_best_index_1_0_choice := (not (((slice2window_sum_1_1 / 2) mod 2) = 1)) or (not
-        ((slice2window_sum_1_1 mod 2) = 1)) when (slice2window_sum_1_0 mod 2) = 1 else not (((slice2window_sum_1_1 / 2)
-        mod 2) = 1);
-      slice2winner1_best_index_1_0_choice_2 := slice2winner1_best_index_1_0_choice when ((slice2window_sum_1_0 / 2) mod
-        2) = 1 else ((slice2window_sum_1_0 mod 2) = 1) and ((slice2window_sum_1_1 mod 4) = 0);
+      if slice2winner1_best_index_0_0_choice_6 then
+        slice2winner1_best_index_0_0_choice_7 := (not (((slice2window_sum_0_0 / 64) mod 2) = 1)) or
+          slice2winner1_best_index_0_0_value_5;
+      else
+        slice2winner1_best_index_0_0_choice_7 := (not (((slice2window_sum_0_0 / 64) mod 2) = 1)) and
+          slice2winner1_best_index_0_0_value_5;
+      end if;
+      if (slice2window_sum_1_0 mod 2) = 1 then
+        slice2winner1_best_index_1_0_choice := (not (((slice2window_sum_1_1 / 2) mod 2) = 1)) or (not
+          ((slice2window_sum_1_1 mod 2) = 1));
+      else
+        slice2winner1_best_index_1_0_choice := not (((slice2window_sum_1_1 / 2) mod 2) = 1);
+      end if;
+      if ((slice2window_sum_1_0 / 2) mod 2) = 1 then
+        slice2winner1_best_index_1_0_choice_2 := slice2winner1_best_index_1_0_choice;
+      else
+        slice2winner1_best_index_1_0_choice_2 := ((slice2window_sum_1_0 mod 2) = 1) and ((slice2window_sum_1_1 mod 4) =
+          0);
+      end if;
       slice2winner1_best_index_1_0_value := ((slice2window_sum_1_1 / 4) mod 2) = 1;
-      slice2winner1_best_index_1_0_choice_3 := (not (((slice2window_sum_1_0 / 4) mod 2) = 1)) and
-        slice2winner1_best_index_1_0_value when slice2winner1_best_index_1_0_choice_2 else (not (((slice2window_sum_1_0
-        / 4) mod 2) = 1)) or slice2winner1_best_index_1_0_value;
+      if slice2winner1_best_index_1_0_choice_2 then
+        slice2winner1_best_index_1_0_choice_3 := (not (((slice2window_sum_1_0 / 4) mod 2) = 1)) and
+          slice2winner1_best_index_1_0_value;
+      else
+        slice2winner1_best_index_1_0_choice_3 := (not (((slice2window_sum_1_0 / 4) mod 2) = 1)) or
+          slice2winner1_best_index_1_0_value;
+      end if;
       slice2winner1_best_index_1_0_value_2 := ((slice2window_sum_1_1 / 8) mod 2) = 1;
-      slice2winner1_best_index_1_0_choice_4 := (not (((slice2window_sum_1_0 / 8) mod 2) = 1)) or
-        slice2winner1_best_index_1_0_value_2 when slice2winner1_best_index_1_0_choice_3 else (not
-        (((slice2window_sum_1_0 / 8) mod 2) = 1)) and slice2winner1_best_index_1_0_value_2;
+      if slice2winner1_best_index_1_0_choice_3 then
+        slice2winner1_best_index_1_0_choice_4 := (not (((slice2window_sum_1_0 / 8) mod 2) = 1)) or
+          slice2winner1_best_index_1_0_value_2;
+      else
+        slice2winner1_best_index_1_0_choice_4 := (not (((slice2window_sum_1_0 / 8) mod 2) = 1)) and
+          slice2winner1_best_index_1_0_value_2;
+      end if;
       slice2winner1_best_index_1_0_value_3 := ((slice2window_sum_1_1 / 16) mod 2) = 1;
-      slice2winner1_best_index_1_0_choice_5 := (not (((slice2window_sum_1_0 / 16) mod 2) = 1)) or
-        slice2winner1_best_index_1_0_value_3 when slice2winner1_best_index_1_0_choice_4 else (not
-        (((slice2window_sum_1_0 / 16) mod 2) = 1)) and slice2winner1_best_index_1_0_value_3;
+      if slice2winner1_best_index_1_0_choice_4 then
+        slice2winner1_best_index_1_0_choice_5 := (not (((slice2window_sum_1_0 / 16) mod 2) = 1)) or
+          slice2winner1_best_index_1_0_value_3;
+      else
+        slice2winner1_best_index_1_0_choice_5 := (not (((slice2window_sum_1_0 / 16) mod 2) = 1)) and
+          slice2winner1_best_index_1_0_value_3;
+      end if;
       slice2winner1_best_index_1_0_value_4 := ((slice2window_sum_1_1 / 32) mod 2) = 1;
-      slice2winner1_best_index_1_0_choice_6 := (not (((slice2window_sum_1_0 / 32) mod 2) = 1)) or
-        slice2winner1_best_index_1_0_value_4 when slice2winner1_best_index_1_0_choice_5 else (not
-        (((slice2window_sum_1_0 / 32) mod 2) = 1)) and slice2winner1_best_index_1_0_value_4;
+      if slice2winner1_best_index_1_0_choice_5 then
+        slice2winner1_best_index_1_0_choice_6 := (not (((slice2window_sum_1_0 / 32) mod 2) = 1)) or
+          slice2winner1_best_index_1_0_value_4;
+      else
+        slice2winner1_best_index_1_0_choice_6 := (not (((slice2window_sum_1_0 / 32) mod 2) = 1)) and
+          slice2winner1_best_index_1_0_value_4;
+      end if;
       slice2winner1_best_index_1_0_value_5 := ((slice2window_sum_1_1 / 64) mod 2) = 1;
-      slice2winner1_best_index_1_0_choice_7 := (not (((slice2window_sum_1_0 / 64) mod 2) = 1)) or
-        slice2winner1_best_index_1_0_value_5 when slice2winner1_best_index_1_0_choice_6 else (not
-        (((slice2window_sum_1_0 / 64) mod 2) = 1)) and slice2winner1_best_index_1_0_value_5;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when (slice2window_sum_0_1 - slice2window_sum_0_0) < 0 else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when (slice2window_sum_1_1 - slice2window_sum_1_0) < 0 else
-        slice2window_sum_1_0;
-      slice2winner1_best_index_0_0 <= ((slice2window_sum_0_0 / 128) = 1) and (not ((slice2window_sum_0_1 / 128) = 1))
-        when slice2winner1_best_index_0_0_choice_7 else ((slice2window_sum_0_0 / 128) = 1) or (not
-        ((slice2window_sum_0_1 / 128) = 1));
-      slice2winner1_best_index_1_0 <= ((slice2window_sum_1_0 / 128) = 1) and (not ((slice2window_sum_1_1 / 128) = 1))
-        when slice2winner1_best_index_1_0_choice_7 else ((slice2window_sum_1_0 / 128) = 1) or (not
-        ((slice2window_sum_1_1 / 128) = 1));
+      if slice2winner1_best_index_1_0_choice_6 then
+        slice2winner1_best_index_1_0_choice_7 := (not (((slice2window_sum_1_0 / 64) mod 2) = 1)) or
+          slice2winner1_best_index_1_0_value_5;
+      else
+        slice2winner1_best_index_1_0_choice_7 := (not (((slice2window_sum_1_0 / 64) mod 2) = 1)) and
+          slice2winner1_best_index_1_0_value_5;
+      end if;
+      if (slice2window_sum_0_1 - slice2window_sum_0_0) < 0 then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
+      if (slice2window_sum_1_1 - slice2window_sum_1_0) < 0 then
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_1;
+      else
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_0;
+      end if;
+      if slice2winner1_best_index_0_0_choice_7 then
+        slice2winner1_best_index_0_0 <= ((slice2window_sum_0_0 / 128) = 1) and (not ((slice2window_sum_0_1 / 128) = 1));
+      else
+        slice2winner1_best_index_0_0 <= ((slice2window_sum_0_0 / 128) = 1) or (not ((slice2window_sum_0_1 / 128) = 1));
+      end if;
+      if slice2winner1_best_index_1_0_choice_7 then
+        slice2winner1_best_index_1_0 <= ((slice2window_sum_1_0 / 128) = 1) and (not ((slice2window_sum_1_1 / 128) = 1));
+      else
+        slice2winner1_best_index_1_0 <= ((slice2window_sum_1_0 / 128) = 1) or (not ((slice2window_sum_1_1 / 128) = 1));
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
@@ -5465,68 +8446,138 @@ begin
       slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
       slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
       -- slice2
-      slice2_best_index_0_0_choice := (not (((slice1_best_cost_0_0 / 2) mod 2) = 1)) or (not ((slice1_best_cost_0_0 mod
-        2) = 1)) when (slice2winner3_best_cost_0_0 mod 2) = 1 else not (((slice1_best_cost_0_0 / 2) mod 2) = 1);
-      slice2_best_index_0_0_choice_2 := slice2_best_index_0_0_choice when ((slice2winner3_best_cost_0_0 / 2) mod 2) = 1
-        else ((slice2winner3_best_cost_0_0 mod 2) = 1) and ((slice1_best_cost_0_0 mod 4) = 0);
+      if (slice2winner3_best_cost_0_0 mod 2) = 1 then
+        slice2_best_index_0_0_choice := (not (((slice1_best_cost_0_0 / 2) mod 2) = 1)) or (not ((slice1_best_cost_0_0
+          mod 2) = 1));
+      else
+        slice2_best_index_0_0_choice := not (((slice1_best_cost_0_0 / 2) mod 2) = 1);
+      end if;
+      if ((slice2winner3_best_cost_0_0 / 2) mod 2) = 1 then
+        slice2_best_index_0_0_choice_2 := slice2_best_index_0_0_choice;
+      else
+        slice2_best_index_0_0_choice_2 := ((slice2winner3_best_cost_0_0 mod 2) = 1) and ((slice1_best_cost_0_0 mod 4) =
+          0);
+      end if;
       slice2_best_index_0_0_value := ((slice1_best_cost_0_0 / 4) mod 2) = 1;
-      slice2_best_index_0_0_choice_3 := (not (((slice2winner3_best_cost_0_0 / 4) mod 2) = 1)) and
-        slice2_best_index_0_0_value when slice2_best_index_0_0_choice_2 else (not (((slice2winner3_best_cost_0_0 / 4)
-        mod 2) = 1)) or slice2_best_index_0_0_value;
+      if slice2_best_index_0_0_choice_2 then
+        slice2_best_index_0_0_choice_3 := (not (((slice2winner3_best_cost_0_0 / 4) mod 2) = 1)) and
+          slice2_best_index_0_0_value;
+      else
+        slice2_best_index_0_0_choice_3 := (not (((slice2winner3_best_cost_0_0 / 4) mod 2) = 1)) or
+          slice2_best_index_0_0_value;
+      end if;
       slice2_best_index_0_0_value_2 := ((slice1_best_cost_0_0 / 8) mod 2) = 1;
-      slice2_best_index_0_0_choice_4 := (not (((slice2winner3_best_cost_0_0 / 8) mod 2) = 1)) or
-        slice2_best_index_0_0_value_2 when slice2_best_index_0_0_choice_3 else (not (((slice2winner3_best_cost_0_0 / 8)
-        mod 2) = 1)) and slice2_best_index_0_0_value_2;
+      if slice2_best_index_0_0_choice_3 then
+        slice2_best_index_0_0_choice_4 := (not (((slice2winner3_best_cost_0_0 / 8) mod 2) = 1)) or
+          slice2_best_index_0_0_value_2;
+      else
+        slice2_best_index_0_0_choice_4 := (not (((slice2winner3_best_cost_0_0 / 8) mod 2) = 1)) and
+          slice2_best_index_0_0_value_2;
+      end if;
       slice2_best_index_0_0_value_3 := ((slice1_best_cost_0_0 / 16) mod 2) = 1;
-      slice2_best_index_0_0_choice_5 := (not (((slice2winner3_best_cost_0_0 / 16) mod 2) = 1)) or
-        slice2_best_index_0_0_value_3 when slice2_best_index_0_0_choice_4 else (not (((slice2winner3_best_cost_0_0 /
-        16) mod 2) = 1)) and slice2_best_index_0_0_value_3;
+      if slice2_best_index_0_0_choice_4 then
+        slice2_best_index_0_0_choice_5 := (not (((slice2winner3_best_cost_0_0 / 16) mod 2) = 1)) or
+          slice2_best_index_0_0_value_3;
+      else
+        slice2_best_index_0_0_choice_5 := (not (((slice2winner3_best_cost_0_0 / 16) mod 2) = 1)) and
+          slice2_best_index_0_0_value_3;
+      end if;
       slice2_best_index_0_0_value_4 := ((slice1_best_cost_0_0 / 32) mod 2) = 1;
-      slice2_best_index_0_0_choice_6 := (not (((slice2winner3_best_cost_0_0 / 32) mod 2) = 1)) or
-        slice2_best_index_0_0_value_4 when slice2_best_index_0_0_choice_5 else (not (((slice2winner3_best_cost_0_0 /
-        32) mod 2) = 1)) and slice2_best_index_0_0_value_4;
+      if slice2_best_index_0_0_choice_5 then
+        slice2_best_index_0_0_choice_6 := (not (((slice2winner3_best_cost_0_0 / 32) mod 2) = 1)) or
+          slice2_best_index_0_0_value_4;
+      else
+        slice2_best_index_0_0_choice_6 := (not (((slice2winner3_best_cost_0_0 / 32) mod 2) = 1)) and
+          slice2_best_index_0_0_value_4;
+      end if;
       slice2_best_index_0_0_value_5 := ((slice1_best_cost_0_0 / 64) mod 2) = 1;
-      slice2_best_index_0_0_choice_7 := (not (((slice2winner3_best_cost_0_0 / 64) mod 2) = 1)) or
-        slice2_best_index_0_0_value_5 when slice2_best_index_0_0_choice_6 else (not (((slice2winner3_best_cost_0_0 /
-        64) mod 2) = 1)) and slice2_best_index_0_0_value_5;
-      slice2_best_index_0_0_choice_8 := ((slice2winner3_best_cost_0_0 / 128) = 1) and (not ((slice1_best_cost_0_0 /
-        128) = 1)) when slice2_best_index_0_0_choice_7 else ((slice2winner3_best_cost_0_0 / 128) = 1) or (not
-        ((slice1_best_cost_0_0 / 128) = 1));
-      slice2_best_index_1_0_choice := (not (((slice1_best_cost_1_0 / 2) mod 2) = 1)) or (not ((slice1_best_cost_1_0 mod
-        2) = 1)) when (slice2winner3_best_cost_1_0 mod 2) = 1 else not (((slice1_best_cost_1_0 / 2) mod 2) = 1);
-      slice2_best_index_1_0_choice_2 := slice2_best_index_1_0_choice when ((slice2winner3_best_cost_1_0 / 2) mod 2) = 1
-        else ((slice2winner3_best_cost_1_0 mod 2) = 1) and ((slice1_best_cost_1_0 mod 4) = 0);
+      if slice2_best_index_0_0_choice_6 then
+        slice2_best_index_0_0_choice_7 := (not (((slice2winner3_best_cost_0_0 / 64) mod 2) = 1)) or
+          slice2_best_index_0_0_value_5;
+      else
+        slice2_best_index_0_0_choice_7 := (not (((slice2winner3_best_cost_0_0 / 64) mod 2) = 1)) and
+          slice2_best_index_0_0_value_5;
+      end if;
+      if slice2_best_index_0_0_choice_7 then
+        slice2_best_index_0_0_choice_8 := ((slice2winner3_best_cost_0_0 / 128) = 1) and (not ((slice1_best_cost_0_0 /
+          128) = 1));
+      else
+        slice2_best_index_0_0_choice_8 := ((slice2winner3_best_cost_0_0 / 128) = 1) or (not ((slice1_best_cost_0_0 /
+          128) = 1));
+      end if;
+      if (slice2winner3_best_cost_1_0 mod 2) = 1 then
+        slice2_best_index_1_0_choice := (not (((slice1_best_cost_1_0 / 2) mod 2) = 1)) or (not ((slice1_best_cost_1_0
+          mod 2) = 1));
+      else
+        slice2_best_index_1_0_choice := not (((slice1_best_cost_1_0 / 2) mod 2) = 1);
+      end if;
+      if ((slice2winner3_best_cost_1_0 / 2) mod 2) = 1 then
+        slice2_best_index_1_0_choice_2 := slice2_best_index_1_0_choice;
+      else
+        slice2_best_index_1_0_choice_2 := ((slice2winner3_best_cost_1_0 mod 2) = 1) and ((slice1_best_cost_1_0 mod 4) =
+          0);
+      end if;
       slice2_best_index_1_0_value := ((slice1_best_cost_1_0 / 4) mod 2) = 1;
-      slice2_best_index_1_0_choice_3 := (not (((slice2winner3_best_cost_1_0 / 4) mod 2) = 1)) and
-        slice2_best_index_1_0_value when slice2_best_index_1_0_choice_2 else (not (((slice2winner3_best_cost_1_0 / 4)
-        mod 2) = 1)) or slice2_best_index_1_0_value;
+      if slice2_best_index_1_0_choice_2 then
+        slice2_best_index_1_0_choice_3 := (not (((slice2winner3_best_cost_1_0 / 4) mod 2) = 1)) and
+          slice2_best_index_1_0_value;
+      else
+        slice2_best_index_1_0_choice_3 := (not (((slice2winner3_best_cost_1_0 / 4) mod 2) = 1)) or
+          slice2_best_index_1_0_value;
+      end if;
       slice2_best_index_1_0_value_2 := ((slice1_best_cost_1_0 / 8) mod 2) = 1;
-      slice2_best_index_1_0_choice_4 := (not (((slice2winner3_best_cost_1_0 / 8) mod 2) = 1)) or
-        slice2_best_index_1_0_value_2 when slice2_best_index_1_0_choice_3 else (not (((slice2winner3_best_cost_1_0 / 8)
-        mod 2) = 1)) and slice2_best_index_1_0_value_2;
+      if slice2_best_index_1_0_choice_3 then
+        slice2_best_index_1_0_choice_4 := (not (((slice2winner3_best_cost_1_0 / 8) mod 2) = 1)) or
+          slice2_best_index_1_0_value_2;
+      else
+        slice2_best_index_1_0_choice_4 := (not (((slice2winner3_best_cost_1_0 / 8) mod 2) = 1)) and
+          slice2_best_index_1_0_value_2;
+      end if;
       slice2_best_index_1_0_value_3 := ((slice1_best_cost_1_0 / 16) mod 2) = 1;
-      slice2_best_index_1_0_choice_5 := (not (((slice2winner3_best_cost_1_0 / 16) mod 2) = 1)) or
-        slice2_best_index_1_0_value_3 when slice2_best_index_1_0_choice_4 else (not (((slice2winner3_best_cost_1_0 /
-        16) mod 2) = 1)) and slice2_best_index_1_0_value_3;
+      if slice2_best_index_1_0_choice_4 then
+        slice2_best_index_1_0_choice_5 := (not (((slice2winner3_best_cost_1_0 / 16) mod 2) = 1)) or
+          slice2_best_index_1_0_value_3;
+      else
+        slice2_best_index_1_0_choice_5 := (not (((slice2winner3_best_cost_1_0 / 16) mod 2) = 1)) and
+          slice2_best_index_1_0_value_3;
+      end if;
       slice2_best_index_1_0_value_4 := ((slice1_best_cost_1_0 / 32) mod 2) = 1;
-      slice2_best_index_1_0_choice_6 := (not (((slice2winner3_best_cost_1_0 / 32) mod 2) = 1)) or
-        slice2_best_index_1_0_value_4 when slice2_best_index_1_0_choice_5 else (not (((slice2winner3_best_cost_1_0 /
-        32) mod 2) = 1)) and slice2_best_index_1_0_value_4;
+      if slice2_best_index_1_0_choice_5 then
+        slice2_best_index_1_0_choice_6 := (not (((slice2winner3_best_cost_1_0 / 32) mod 2) = 1)) or
+          slice2_best_index_1_0_value_4;
+      else
+        slice2_best_index_1_0_choice_6 := (not (((slice2winner3_best_cost_1_0 / 32) mod 2) = 1)) and
+          slice2_best_index_1_0_value_4;
+      end if;
       slice2_best_index_1_0_value_5 := ((slice1_best_cost_1_0 / 64) mod 2) = 1;
-      slice2_best_index_1_0_choice_7 := (not (((slice2winner3_best_cost_1_0 / 64) mod 2) = 1)) or
-        slice2_best_index_1_0_value_5 when slice2_best_index_1_0_choice_6 else (not (((slice2winner3_best_cost_1_0 /
-        64) mod 2) = 1)) and slice2_best_index_1_0_value_5;
-      slice2_best_index_1_0_choice_8 := ((slice2winner3_best_cost_1_0 / 128) = 1) and (not ((slice1_best_cost_1_0 /
-        128) = 1)) when slice2_best_index_1_0_choice_7 else ((slice2winner3_best_cost_1_0 / 128) = 1) or (not
-        ((slice1_best_cost_1_0 / 128) = 1));
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_index_0_0_choice_8 else
-        as_number(slice2winner3_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when slice2_best_index_1_0_choice_8 else
-        as_number(slice2winner3_best_index_1_0);
+      if slice2_best_index_1_0_choice_6 then
+        slice2_best_index_1_0_choice_7 := (not (((slice2winner3_best_cost_1_0 / 64) mod 2) = 1)) or
+          slice2_best_index_1_0_value_5;
+      else
+        slice2_best_index_1_0_choice_7 := (not (((slice2winner3_best_cost_1_0 / 64) mod 2) = 1)) and
+          slice2_best_index_1_0_value_5;
+      end if;
+      if slice2_best_index_1_0_choice_7 then
+        slice2_best_index_1_0_choice_8 := ((slice2winner3_best_cost_1_0 / 128) = 1) and (not ((slice1_best_cost_1_0 /
+          128) = 1));
+      else
+        slice2_best_index_1_0_choice_8 := ((slice2winner3_best_cost_1_0 / 128) = 1) or (not ((slice1_best_cost_1_0 /
+          128) = 1));
+      end if;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if slice2_best_index_0_0_choice_8 then
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      else
+        slice2_best_index_0_0 <= as_number(slice2winner3_best_index_0_0);
+      end if;
+      if slice2_best_index_1_0_choice_8 then
+        slice2_best_index_1_0 <= slice1_best_index_1_0;
+      else
+        slice2_best_index_1_0 <= as_number(slice2winner3_best_index_1_0);
+      end if;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;

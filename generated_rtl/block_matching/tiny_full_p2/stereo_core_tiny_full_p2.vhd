@@ -350,71 +350,107 @@ architecture rtl of stereo_core_tiny_full_p2 is
   -- other
   signal other_0 : boolean;
   signal other_1, other_2, other_3, other_4 : natural range 0 to 65280;
+  signal leftright_found_1_memory_read_enable : boolean;
+  signal leftright_found_1_memory_read_address : unsigned(3 downto 0);
+  signal leftright_found_1_memory_write_address : unsigned(3 downto 0);
   signal leftright_found_1_memory_write_data : unsigned(2 downto 0);
+  signal leftright_found_0_memory_read_enable : boolean;
+  signal leftright_found_0_memory_read_address : unsigned(3 downto 0);
+  signal leftright_found_0_memory_write_address : unsigned(3 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
+  signal leftright_held_0_memory_read_enable : boolean;
+  signal leftright_held_0_memory_read_address : unsigned(2 downto 0);
+  signal leftright_held_0_memory_write_address : unsigned(2 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(21 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(1 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(1 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(15 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(leftright_checked_disparity_1, 8) & to_unsigned(leftright_checked_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(leftright_checked_passed_1), 1) & to_unsigned(as_number(leftright_checked_passed_0), 1));
   disparity_valid <= as_bit(leftright_checked_tag_valid and leftright_checked_tag_output_column);
   disparity_start_of_frame <= as_bit(leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_output_column);
   disparity_end_of_line <= as_bit(leftright_checked_tag_end_of_line and leftright_checked_tag_valid and leftright_checked_tag_output_column);
 
+  leftright_found_1_memory_read_enable <= true;
+  leftright_found_1_memory_read_address <= to_unsigned(leftright_address_1, 4);
+  leftright_found_1_memory_write_address <= to_unsigned(leftright_position, 4);
   leftright_found_1_memory_write_data <= to_unsigned(leftright_other_2_1, 3);
   leftright_found_1_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
+    generic map (depth => 16, width => 3, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_1, read_data => leftright_found_1,
-      write_address => leftright_position, write_data => leftright_found_1_memory_write_data);
+      clock => clock, read_enable => leftright_found_1_memory_read_enable,
+      read_address => leftright_found_1_memory_read_address, read_data => leftright_found_1,
+      write_address => leftright_found_1_memory_write_address, write_data => leftright_found_1_memory_write_data);
 
+  leftright_found_0_memory_read_enable <= true;
+  leftright_found_0_memory_read_address <= to_unsigned(leftright_address_0, 4);
+  leftright_found_0_memory_write_address <= to_unsigned(leftright_position, 4);
   leftright_found_0_memory_write_data <= to_unsigned(leftright_other_2_0, 3);
   leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
+    generic map (depth => 16, width => 3, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+      clock => clock, read_enable => leftright_found_0_memory_read_enable,
+      read_address => leftright_found_0_memory_read_address, read_data => leftright_found_0,
+      write_address => leftright_found_0_memory_write_address, write_data => leftright_found_0_memory_write_data);
 
+  leftright_held_0_memory_read_enable <= true;
+  leftright_held_0_memory_read_address <= to_unsigned(leftright_ring_read_address, 3);
+  leftright_held_0_memory_write_address <= to_unsigned(leftright_ring_write_address, 3);
   leftright_held_0_memory_write_data <= to_unsigned(as_number((slice2_best_cost_1_0 /= 4095)), 1) & to_unsigned(slice2_best_index_1_0, 8) & to_unsigned(as_number((slice2_best_cost_0_0 /= 4095)), 1) & to_unsigned(slice2_best_index_0_0, 8) & to_unsigned(as_number(slice2_best_tag_end_of_line), 1) & to_unsigned(as_number(slice2_best_tag_start_of_frame), 1) & to_unsigned(as_number(slice2_best_tag_output_column), 1) & to_unsigned(as_number(slice2_best_tag_map_column), 1);
   leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 22)
+    generic map (depth => 8, width => 22, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+      clock => clock, read_enable => leftright_held_0_memory_read_enable,
+      read_address => leftright_held_0_memory_read_address, read_data => leftright_held_0,
+      write_address => leftright_held_0_memory_write_address, write_data => leftright_held_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 2);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 2);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_search, 16);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 3, width => 16)
+    generic map (depth => 3, width => 16, address_bits => 2)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_all, raster_place_group_is_equal_2 : boolean;
@@ -471,38 +507,74 @@ begin
       -- raster
       raster_place_group_is_equal := raster_place_column = 31;
       raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 5);
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_2 := (raster_place_group / 2) = 3;
-      raster_place_group_choice_2 := in_valid and (not ((raster_place_group mod 2) = 1)) when
-        raster_place_group_is_equal_2 else in_valid;
-      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 6) else
-        (raster_place_group + 1) mod 8;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_is_equal and
-        raster_place_group_choice_2 else raster_place_group;
+      if raster_place_group_is_equal_2 then
+        raster_place_group_choice_2 := in_valid and (not ((raster_place_group mod 2) = 1));
+      else
+        raster_place_group_choice_2 := in_valid;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 6) then
+        raster_place_group_choice_3 := 1;
+      else
+        raster_place_group_choice_3 := (raster_place_group + 1) mod 8;
+      end if;
+      if raster_place_group_is_equal and raster_place_group_choice_2 then
+        raster_place_group_choice_4 := raster_place_group_choice_3;
+      else
+        raster_place_group_choice_4 := raster_place_group;
+      end if;
       raster_features_search <= in_right_pixel;
       raster_features_reference_0 <= in_left_pixel mod 256;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 2 when in_start_of_frame and in_valid else
-        raster_place_group_choice_4;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
-        raster_place_next_frame;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= raster_place_group_choice * 2;
+      else
+        raster_place_group <= raster_place_group_choice_4;
+      end if;
+      if raster_place_group_is_equal_2 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 32;
-        raster_place_next_frame <= raster_place_group_all when in_start_of_frame else raster_place_next_frame_choice_2;
+        if raster_place_group_is_equal or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
+        if in_start_of_frame then
+          raster_place_next_frame <= raster_place_group_all;
+        else
+          raster_place_next_frame <= raster_place_next_frame_choice_2;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 2 else (delay_ring_read_address + 1) mod 4;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 2 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 4;
+        end if;
       end if;
       delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
       delay_row_inside_0_any := ((raster_place_group / 4) = 1) or delay_row_inside_0_value;
       delay_row_inside_2_any := (not ((raster_place_group / 4) = 1)) or (not delay_row_inside_0_value);
-      delay_row_inside_2_choice := delay_row_inside_2_any when (raster_place_group mod 2) = 1 else
-        delay_row_inside_0_any;
+      if (raster_place_group mod 2) = 1 then
+        delay_row_inside_2_choice := delay_row_inside_2_any;
+      else
+        delay_row_inside_2_choice := delay_row_inside_0_any;
+      end if;
       delay_tag_map_column_is_not_less := raster_place_column >= 1;
       delay_tag_map_column_is_less := raster_place_column < 30;
       delay_tag_first_column_is_equal := raster_place_column = 1;
@@ -510,16 +582,28 @@ begin
       delay_split_search_inside_0_all_2 := (not delay_split_search_inside_0_all) and delay_split_inside_before_0;
       delay_split_search_inside_0_is_equal := (raster_place_column / 2) = 0;
       delay_split_search_inside_0_differs := (raster_place_column / 2) /= 0;
-      delay_split_search_inside_3_choice := delay_split_search_inside_0_differs when delay_split_search_inside_0_all
-        else delay_split_search_inside_0_differs or delay_split_inside_before_2;
+      if delay_split_search_inside_0_all then
+        delay_split_search_inside_3_choice := delay_split_search_inside_0_differs;
+      else
+        delay_split_search_inside_3_choice := delay_split_search_inside_0_differs or delay_split_inside_before_2;
+      end if;
       delay_split_search_inside_4_differs := (raster_place_group / 2) /= 3;
-      delay_split_search_inside_4_choice := delay_split_inside_before_4 when delay_split_search_inside_0_is_equal else
-        delay_split_search_inside_4_differs;
+      if delay_split_search_inside_0_is_equal then
+        delay_split_search_inside_4_choice := delay_split_inside_before_4;
+      else
+        delay_split_search_inside_4_choice := delay_split_search_inside_4_differs;
+      end if;
       delay_split_inside_before_0_all := raster_place_group_is_equal and raster_features_valid;
-      delay_split_inside_before_2_choice := delay_split_inside_before_0_all when delay_split_search_inside_0_all else
-        delay_split_inside_before_0_all or delay_split_inside_before_2;
-      delay_split_inside_before_4_choice := delay_split_search_inside_4_differs when delay_split_inside_before_0_all
-        else delay_split_inside_before_4;
+      if delay_split_search_inside_0_all then
+        delay_split_inside_before_2_choice := delay_split_inside_before_0_all;
+      else
+        delay_split_inside_before_2_choice := delay_split_inside_before_0_all or delay_split_inside_before_2;
+      end if;
+      if delay_split_inside_before_0_all then
+        delay_split_inside_before_4_choice := delay_split_search_inside_4_differs;
+      else
+        delay_split_inside_before_4_choice := delay_split_inside_before_4;
+      end if;
       delay_ahead_0 <= raster_features_reference_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_any;
@@ -532,22 +616,33 @@ begin
       delay_tag_first_column <= delay_tag_first_column_is_equal;
       delay_tag_start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 29;
-      delay_split_search_inside_0 <= delay_split_search_inside_0_is_equal or ((raster_place_group / 4) = 1) or
-        delay_row_inside_0_value when delay_split_search_inside_0_all_2 else delay_split_search_inside_0_differs and
-        delay_row_inside_0_any;
       delay_split_search_inside_2 <= rows_read_inside_2;
-      delay_split_search_inside_3 <= delay_split_search_inside_3_choice when delay_row_inside_2_choice else (not
-        delay_split_search_inside_0_all) and delay_split_search_inside_0_is_equal and delay_split_inside_before_2;
-      delay_split_search_inside_4 <= delay_split_search_inside_0_differs and delay_split_search_inside_4_differs when
-        delay_split_search_inside_0_all else delay_split_search_inside_4_choice;
-      delay_split_inside_before_0 <= (not delay_split_inside_before_0_all) or ((raster_place_group / 4) = 1) or
-        delay_row_inside_0_value when delay_split_search_inside_0_all_2 else raster_place_group_is_equal and
-        raster_features_valid and delay_row_inside_0_any;
-      delay_split_inside_before_2 <= delay_split_inside_before_2_choice when delay_row_inside_2_choice else (not
-        delay_split_search_inside_0_all) and (not delay_split_inside_before_0_all) and delay_split_inside_before_2;
-      delay_split_inside_before_4 <= raster_place_group_is_equal and raster_features_valid and
-        delay_split_search_inside_4_differs when delay_split_search_inside_0_all else
-        delay_split_inside_before_4_choice;
+      if delay_split_search_inside_0_all_2 then
+        delay_split_search_inside_0 <= delay_split_search_inside_0_is_equal or ((raster_place_group / 4) = 1) or
+          delay_row_inside_0_value;
+        delay_split_inside_before_0 <= (not delay_split_inside_before_0_all) or ((raster_place_group / 4) = 1) or
+          delay_row_inside_0_value;
+      else
+        delay_split_search_inside_0 <= delay_split_search_inside_0_differs and delay_row_inside_0_any;
+        delay_split_inside_before_0 <= raster_place_group_is_equal and raster_features_valid and delay_row_inside_0_any;
+      end if;
+      if delay_row_inside_2_choice then
+        delay_split_search_inside_3 <= delay_split_search_inside_3_choice;
+        delay_split_inside_before_2 <= delay_split_inside_before_2_choice;
+      else
+        delay_split_search_inside_3 <= (not delay_split_search_inside_0_all) and delay_split_search_inside_0_is_equal
+          and delay_split_inside_before_2;
+        delay_split_inside_before_2 <= (not delay_split_search_inside_0_all) and (not delay_split_inside_before_0_all)
+          and delay_split_inside_before_2;
+      end if;
+      if delay_split_search_inside_0_all then
+        delay_split_search_inside_4 <= delay_split_search_inside_0_differs and delay_split_search_inside_4_differs;
+        delay_split_inside_before_4 <= raster_place_group_is_equal and raster_features_valid and
+          delay_split_search_inside_4_differs;
+      else
+        delay_split_search_inside_4 <= delay_split_search_inside_4_choice;
+        delay_split_inside_before_4 <= delay_split_inside_before_4_choice;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= to_integer(delay_delayed_0(7 downto 0));
       rows_search_rows_ready_words_0 <= rows_search_rows_read_words_0;
@@ -581,24 +676,50 @@ begin
       rows_ready_search_inside_0 <= rows_read_search_inside_0;
       rows_ready_search_inside_2 <= rows_read_search_inside_2;
       rows_ready_search_inside_4 <= rows_read_search_inside_4;
-      rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0)) when rows_ready_search_inside_0 else 0;
-      rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8)) when rows_ready_search_inside_0 else 0;
-      rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16)) when rows_ready_search_inside_2 else 0;
-      rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24)) when rows_ready_search_inside_2 else 0;
-      rows_search_4 <= rows_search_rows_ready_newest mod 256 when rows_ready_search_inside_4 else 0;
-      rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8)) when rows_ready_inside_0 else 0;
-      rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16)) when delay_split_search_inside_2
-        else 0;
-      rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24)) when delay_split_search_inside_2
-        else 0;
-      rows_reference_4 <= rows_reference_rows_ready_newest mod 256 when rows_ready_inside_4 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_map_column <= rows_ready_tag_map_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_first_column <= rows_ready_tag_first_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_search_inside_0 then
+        rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
+        rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8));
+      else
+        rows_search_0 <= 0;
+        rows_search_1 <= 0;
+      end if;
+      if rows_ready_search_inside_2 then
+        rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16));
+        rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24));
+      else
+        rows_search_2 <= 0;
+        rows_search_3 <= 0;
+      end if;
+      if rows_ready_search_inside_4 then
+        rows_search_4 <= rows_search_rows_ready_newest mod 256;
+      else
+        rows_search_4 <= 0;
+      end if;
+      if rows_ready_inside_0 then
+        rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
+        rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8));
+      else
+        rows_reference_0 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if delay_split_search_inside_2 then
+        rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16));
+        rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24));
+      else
+        rows_reference_2 <= 0;
+        rows_reference_3 <= 0;
+      end if;
+      if rows_ready_inside_4 then
+        rows_reference_4 <= rows_reference_rows_ready_newest mod 256;
+      else
+        rows_reference_4 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= to_unsigned(rows_search_rows_ready_newest, 16) &
           rows_search_rows_ready_words_0(31 downto 16);
@@ -764,60 +885,128 @@ begin
       end if;
       -- slice0mask
       slice0mask_inside_0_all := (not slice0cost_tag_valid) and slice0mask_inside_0;
-      slice0mask_inside_0_choice := slice0mask_inside_0_all when slice0window_centre_first_column_1 else
-        slice0cost_tag_valid or slice0mask_inside_0;
-      slice0mask_inside_1_choice := slice0mask_inside_0 when slice0cost_tag_valid else slice0mask_inside_1;
-      slice0mask_inside_2_choice := slice0mask_inside_1 when slice0cost_tag_valid else slice0mask_inside_2;
-      slice0mask_inside_0 <= slice0mask_inside_0_choice when (slice0mask_column >= 1) and (slice0mask_column < 30) else
-        slice0mask_inside_0_all;
-      slice0mask_inside_1 <= (not slice0cost_tag_valid) and slice0mask_inside_1 when slice0window_centre_first_column_1
-        else slice0mask_inside_1_choice;
-      slice0mask_inside_2 <= (not slice0cost_tag_valid) and slice0mask_inside_2 when slice0window_centre_first_column_1
-        else slice0mask_inside_2_choice;
-      slice0mask_left_out <= slice0mask_inside_2;
+      if slice0window_centre_first_column_1 then
+        slice0mask_inside_0_choice := slice0mask_inside_0_all;
+      else
+        slice0mask_inside_0_choice := slice0cost_tag_valid or slice0mask_inside_0;
+      end if;
       if slice0cost_tag_valid then
-        slice0mask_column <= 0 when slice0window_centre_first_column_1 else (slice0mask_column + 1) mod 32;
+        slice0mask_inside_1_choice := slice0mask_inside_0;
+      else
+        slice0mask_inside_1_choice := slice0mask_inside_1;
+      end if;
+      if slice0cost_tag_valid then
+        slice0mask_inside_2_choice := slice0mask_inside_1;
+      else
+        slice0mask_inside_2_choice := slice0mask_inside_2;
+      end if;
+      slice0mask_left_out <= slice0mask_inside_2;
+      if (slice0mask_column >= 1) and (slice0mask_column < 30) then
+        slice0mask_inside_0 <= slice0mask_inside_0_choice;
+      else
+        slice0mask_inside_0 <= slice0mask_inside_0_all;
+      end if;
+      if slice0window_centre_first_column_1 then
+        slice0mask_inside_1 <= (not slice0cost_tag_valid) and slice0mask_inside_1;
+        slice0mask_inside_2 <= (not slice0cost_tag_valid) and slice0mask_inside_2;
+      else
+        slice0mask_inside_1 <= slice0mask_inside_1_choice;
+        slice0mask_inside_2 <= slice0mask_inside_2_choice;
+      end if;
+      if slice0cost_tag_valid then
+        if slice0window_centre_first_column_1 then
+          slice0mask_column <= 0;
+        else
+          slice0mask_column <= (slice0mask_column + 1) mod 32;
+        end if;
       end if;
       -- slice0other
       slice0other_cost_0_0_all := slice1window_centre_output_column_1 and slice0mask_inside_0;
       slice0other_cost_0_1_all := slice1window_centre_output_column_1 and slice0mask_inside_1;
       slice0other_cost_0_1_all_2 := slice1window_centre_output_column_1 and slice1window_centre_first_column_1 and
         slice0mask_inside_1;
-      slice0other_cost_0_1_choice := slice0other_cost_0_1_all when (slice0window_sum_0_1 - slice0other_cost_0_0) < 0
-        else slice0other_cost_0_1_all_2;
-      slice0other_cost_0_2_choice := slice0mask_inside_2 when (slice0window_sum_0_2 - slice0other_cost_0_1) < 0 else
-        slice1window_centre_first_column_1 and slice0mask_inside_2;
+      if (slice0window_sum_0_1 - slice0other_cost_0_0) < 0 then
+        slice0other_cost_0_1_choice := slice0other_cost_0_1_all;
+      else
+        slice0other_cost_0_1_choice := slice0other_cost_0_1_all_2;
+      end if;
+      if (slice0window_sum_0_2 - slice0other_cost_0_1) < 0 then
+        slice0other_cost_0_2_choice := slice0mask_inside_2;
+      else
+        slice0other_cost_0_2_choice := slice1window_centre_first_column_1 and slice0mask_inside_2;
+      end if;
       slice0other_cost_0_2_all := slice1window_centre_output_column_1 and slice0other_cost_0_2_choice;
-      slice0other_cost_1_1_choice := slice0other_cost_0_1_all when (slice0window_sum_1_1 - slice0other_cost_1_0) < 0
-        else slice0other_cost_0_1_all_2;
-      slice0other_cost_1_2_choice := slice1window_centre_output_column_1 and slice0mask_inside_2 when
-        (slice0window_sum_1_2 - slice0other_cost_1_1) < 0 else slice1window_centre_output_column_1 and
-        slice1window_centre_first_column_1 and slice0mask_inside_2;
+      if (slice0window_sum_1_1 - slice0other_cost_1_0) < 0 then
+        slice0other_cost_1_1_choice := slice0other_cost_0_1_all;
+      else
+        slice0other_cost_1_1_choice := slice0other_cost_0_1_all_2;
+      end if;
+      if (slice0window_sum_1_2 - slice0other_cost_1_1) < 0 then
+        slice0other_cost_1_2_choice := slice1window_centre_output_column_1 and slice0mask_inside_2;
+      else
+        slice0other_cost_1_2_choice := slice1window_centre_output_column_1 and slice1window_centre_first_column_1 and
+          slice0mask_inside_2;
+      end if;
       if slice0window_tag_valid then
-        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else 0;
-        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_0;
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_all else slice0other_cost_0_1;
-        slice0other_cost_1_0 <= slice0window_sum_1_0 when slice0other_cost_0_0_all else 0;
-        slice0other_cost_1_1 <= slice0window_sum_1_1 when slice0other_cost_1_1_choice else slice0other_cost_1_0;
-        slice0other_cost_1_2 <= slice0window_sum_1_2 when slice0other_cost_1_2_choice else slice0other_cost_1_1;
         slice0other_winner_0_1 <= slice0other_cost_0_1_choice;
-        slice0other_winner_0_2 <= 2 when slice0other_cost_0_2_all else as_number(slice0other_winner_0_1);
         slice0other_winner_1_1 <= slice0other_cost_1_1_choice;
-        slice0other_winner_1_2 <= 2 when slice0other_cost_1_2_choice else as_number(slice0other_winner_1_1);
+        if slice0other_cost_0_0_all then
+          slice0other_cost_0_0 <= slice0window_sum_0_0;
+          slice0other_cost_1_0 <= slice0window_sum_1_0;
+        else
+          slice0other_cost_0_0 <= 0;
+          slice0other_cost_1_0 <= 0;
+        end if;
+        if slice0other_cost_0_1_choice then
+          slice0other_cost_0_1 <= slice0window_sum_0_1;
+        else
+          slice0other_cost_0_1 <= slice0other_cost_0_0;
+        end if;
+        if slice0other_cost_0_2_all then
+          slice0other_cost_0_2 <= slice0window_sum_0_2;
+          slice0other_winner_0_2 <= 2;
+        else
+          slice0other_cost_0_2 <= slice0other_cost_0_1;
+          slice0other_winner_0_2 <= as_number(slice0other_winner_0_1);
+        end if;
+        if slice0other_cost_1_1_choice then
+          slice0other_cost_1_1 <= slice0window_sum_1_1;
+        else
+          slice0other_cost_1_1 <= slice0other_cost_1_0;
+        end if;
+        if slice0other_cost_1_2_choice then
+          slice0other_cost_1_2 <= slice0window_sum_1_2;
+          slice0other_winner_1_2 <= 2;
+        else
+          slice0other_cost_1_2 <= slice0other_cost_1_1;
+          slice0other_winner_1_2 <= as_number(slice0other_winner_1_1);
+        end if;
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0_2;
       slice0other_cost_out_1 <= slice0other_cost_1_2;
       slice0other_winner_out_0 <= slice0other_winner_0_2;
       slice0other_winner_out_1 <= slice0other_winner_1_2;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_choice := 0 when slice0mask_inside_1 else 4095;
+      if slice0mask_inside_1 then
+        slice0winner1_of_pair_0_0_choice := 0;
+      else
+        slice0winner1_of_pair_0_0_choice := 4095;
+      end if;
       slice0winner1_of_pair_0_0_any := to_integer(((to_unsigned(slice0window_sum_0_1, 12)) or
         (to_unsigned(slice0winner1_of_pair_0_0_choice, 12))));
-      slice0winner1_of_pair_0_0_choice_2 := 0 when slice0mask_inside_0 else 4095;
+      if slice0mask_inside_0 then
+        slice0winner1_of_pair_0_0_choice_2 := 0;
+      else
+        slice0winner1_of_pair_0_0_choice_2 := 4095;
+      end if;
       slice0winner1_of_pair_0_0_any_2 := to_integer(((to_unsigned(slice0window_sum_0_0, 12)) or
         (to_unsigned(slice0winner1_of_pair_0_0_choice_2, 12))));
       slice0winner1_of_pair_0_0_is_less := (slice0winner1_of_pair_0_0_any - slice0winner1_of_pair_0_0_any_2) < 0;
-      slice0winner1_of_pair_0_2_choice := 0 when slice0mask_inside_2 else 4095;
+      if slice0mask_inside_2 then
+        slice0winner1_of_pair_0_2_choice := 0;
+      else
+        slice0winner1_of_pair_0_2_choice := 4095;
+      end if;
       slice0winner1_of_pair_1_0_any := to_integer(((to_unsigned(slice0window_sum_1_1, 13)) or
         (to_unsigned(slice0winner1_of_pair_0_0_choice, 13))));
       slice0winner1_of_pair_1_0_any_2 := to_integer(((to_unsigned(slice0window_sum_1_0, 13)) or
@@ -827,12 +1016,8 @@ begin
         to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
       slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
         to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 13)) or (to_unsigned(slice0winner1_of_pair_1_1, 13))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0winner1_of_pair_0_0_any_2;
-      slice0winner1_of_pair_0_1 <= slice0winner1_of_pair_0_0_any when slice0winner1_of_pair_0_0_is_less else 0;
       slice0winner1_of_pair_0_2 <= to_integer(((to_unsigned(slice0window_sum_0_2, 12)) or
         (to_unsigned(slice0winner1_of_pair_0_2_choice, 12))));
-      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0winner1_of_pair_1_0_any_2;
-      slice0winner1_of_pair_1_1 <= slice0winner1_of_pair_1_0_any when slice0winner1_of_pair_1_0_is_less else 0;
       slice0winner1_of_pair_1_2 <= to_integer(((to_unsigned(slice0window_sum_1_2, 13)) or
         (to_unsigned(slice0winner1_of_pair_0_2_choice, 13))));
       slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
@@ -841,16 +1026,6 @@ begin
       slice0winner1_pair_tag_valid <= slice0window_tag_valid;
       slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
       slice0winner1_pair_tag_first_column <= slice0window_tag_first_column;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
-      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
-      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
-        as_number(slice0winner1_pair_index_1_0);
       slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
       slice0winner1_four_tag_map_column <= slice0winner1_pair_tag_map_column;
       slice0winner1_four_tag_output_column <= slice1window_tag_output_column;
@@ -868,6 +1043,42 @@ begin
       slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_of_pair_0_0_is_less then
+        slice0winner1_of_pair_0_0 <= 0;
+        slice0winner1_of_pair_0_1 <= slice0winner1_of_pair_0_0_any;
+      else
+        slice0winner1_of_pair_0_0 <= slice0winner1_of_pair_0_0_any_2;
+        slice0winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice0winner1_of_pair_1_0_is_less then
+        slice0winner1_of_pair_1_0 <= 0;
+        slice0winner1_of_pair_1_1 <= slice0winner1_of_pair_1_0_any;
+      else
+        slice0winner1_of_pair_1_0 <= slice0winner1_of_pair_1_0_any_2;
+        slice0winner1_of_pair_1_1 <= 0;
+      end if;
+      if slice0winner1_of_four_0_0_is_less then
+        slice0winner1_of_four_0_0 <= 0;
+        slice0winner1_of_four_0_1 <= 0;
+        slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2;
+        slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice0winner1_of_four_0_0 <= slice0winner1_of_pair_0_0;
+        slice0winner1_of_four_0_1 <= slice0winner1_of_pair_0_1;
+        slice0winner1_of_four_0_2 <= 0;
+        slice0winner1_four_index_0_0 <= as_number(slice0winner1_pair_index_0_0);
+      end if;
+      if slice0winner1_of_four_1_0_is_less then
+        slice0winner1_of_four_1_0 <= 0;
+        slice0winner1_of_four_1_1 <= 0;
+        slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2;
+        slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice0winner1_of_four_1_0 <= slice0winner1_of_pair_1_0;
+        slice0winner1_of_four_1_1 <= slice0winner1_of_pair_1_1;
+        slice0winner1_of_four_1_2 <= 0;
+        slice0winner1_four_index_1_0 <= as_number(slice0winner1_pair_index_1_0);
+      end if;
       if slice0winner1_pair_tag_valid then
         slice0winner1_pair_tag_map_column <= slice2window_centre_map_column_0;
         slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -1013,64 +1224,142 @@ begin
       end if;
       -- slice1mask
       slice1mask_inside_0_all := (not slice0window_tag_valid) and slice1mask_inside_0;
-      slice1mask_inside_0_choice := slice1mask_inside_0_all when slice0window_tag_first_column else
-        slice0window_tag_valid or slice1mask_inside_0;
-      slice1mask_inside_1_choice := slice1mask_inside_0 when slice0window_tag_valid else slice1mask_inside_1;
-      slice1mask_inside_2_choice := slice1mask_inside_1 when slice0window_tag_valid else slice1mask_inside_2;
-      slice1mask_inside_0 <= slice1mask_inside_0_choice when slice0mask_left_out else slice1mask_inside_0_all;
-      slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1 when slice0window_tag_first_column
-        else slice1mask_inside_1_choice;
-      slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2 when slice0window_tag_first_column
-        else slice1mask_inside_2_choice;
+      if slice0window_tag_first_column then
+        slice1mask_inside_0_choice := slice1mask_inside_0_all;
+      else
+        slice1mask_inside_0_choice := slice0window_tag_valid or slice1mask_inside_0;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_1_choice := slice1mask_inside_0;
+      else
+        slice1mask_inside_1_choice := slice1mask_inside_1;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_2_choice := slice1mask_inside_1;
+      else
+        slice1mask_inside_2_choice := slice1mask_inside_2;
+      end if;
       slice1mask_left_out <= slice1mask_inside_2;
+      if slice0mask_left_out then
+        slice1mask_inside_0 <= slice1mask_inside_0_choice;
+      else
+        slice1mask_inside_0 <= slice1mask_inside_0_all;
+      end if;
+      if slice0window_tag_first_column then
+        slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1;
+        slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2;
+      else
+        slice1mask_inside_1 <= slice1mask_inside_1_choice;
+        slice1mask_inside_2 <= slice1mask_inside_2_choice;
+      end if;
       -- slice1other
       slice1other_cost_0_0_all := slice0winner1_pair_tag_output_column and slice1mask_inside_0;
       slice1other_cost_0_0_all_2 := slice0winner1_pair_tag_output_column and slice0winner1_pair_tag_first_column and
         slice1mask_inside_0;
-      slice1other_cost_0_0_choice := slice1other_cost_0_0_all when (slice1window_sum_0_0 - slice0other_cost_out_0) < 0
-        else slice1other_cost_0_0_all_2;
+      if (slice1window_sum_0_0 - slice0other_cost_out_0) < 0 then
+        slice1other_cost_0_0_choice := slice1other_cost_0_0_all;
+      else
+        slice1other_cost_0_0_choice := slice1other_cost_0_0_all_2;
+      end if;
       slice1other_cost_0_1_all := slice0winner1_pair_tag_output_column and slice1mask_inside_1;
       slice1other_cost_0_1_all_2 := slice0winner1_pair_tag_output_column and slice0winner1_pair_tag_first_column and
         slice1mask_inside_1;
-      slice1other_cost_0_1_choice := slice1other_cost_0_1_all when (slice1window_sum_0_1 - slice1other_cost_0_0) < 0
-        else slice1other_cost_0_1_all_2;
-      slice1other_cost_0_2_choice := slice1mask_inside_2 when slice0winner1_pair_tag_first_column else
-        ((slice1window_sum_0_2 - slice1other_cost_0_1) < 0) and slice1mask_inside_2;
+      if (slice1window_sum_0_1 - slice1other_cost_0_0) < 0 then
+        slice1other_cost_0_1_choice := slice1other_cost_0_1_all;
+      else
+        slice1other_cost_0_1_choice := slice1other_cost_0_1_all_2;
+      end if;
+      if slice0winner1_pair_tag_first_column then
+        slice1other_cost_0_2_choice := slice1mask_inside_2;
+      else
+        slice1other_cost_0_2_choice := ((slice1window_sum_0_2 - slice1other_cost_0_1) < 0) and slice1mask_inside_2;
+      end if;
       slice1other_cost_0_2_all := slice0winner1_pair_tag_output_column and slice1other_cost_0_2_choice;
-      slice1other_cost_1_0_choice := slice1other_cost_0_0_all when (slice1window_sum_1_0 - slice0other_cost_out_1) < 0
-        else slice1other_cost_0_0_all_2;
-      slice1other_cost_1_1_choice := slice1other_cost_0_1_all when (slice1window_sum_1_1 - slice1other_cost_1_0) < 0
-        else slice1other_cost_0_1_all_2;
-      slice1other_cost_1_2_choice := slice0winner1_pair_tag_output_column and slice1mask_inside_2 when
-        (slice1window_sum_1_2 - slice1other_cost_1_1) < 0 else slice0winner1_pair_tag_output_column and
-        slice0winner1_pair_tag_first_column and slice1mask_inside_2;
+      if (slice1window_sum_1_0 - slice0other_cost_out_1) < 0 then
+        slice1other_cost_1_0_choice := slice1other_cost_0_0_all;
+      else
+        slice1other_cost_1_0_choice := slice1other_cost_0_0_all_2;
+      end if;
+      if (slice1window_sum_1_1 - slice1other_cost_1_0) < 0 then
+        slice1other_cost_1_1_choice := slice1other_cost_0_1_all;
+      else
+        slice1other_cost_1_1_choice := slice1other_cost_0_1_all_2;
+      end if;
+      if (slice1window_sum_1_2 - slice1other_cost_1_1) < 0 then
+        slice1other_cost_1_2_choice := slice0winner1_pair_tag_output_column and slice1mask_inside_2;
+      else
+        slice1other_cost_1_2_choice := slice0winner1_pair_tag_output_column and slice0winner1_pair_tag_first_column and
+          slice1mask_inside_2;
+      end if;
       if slice0winner1_pair_tag_valid then
-        slice1other_cost_0_0 <= slice1window_sum_0_0 when slice1other_cost_0_0_choice else slice0other_cost_out_0;
-        slice1other_cost_0_1 <= slice1window_sum_0_1 when slice1other_cost_0_1_choice else slice1other_cost_0_0;
-        slice1other_cost_0_2 <= slice1window_sum_0_2 when slice1other_cost_0_2_all else slice1other_cost_0_1;
-        slice1other_cost_1_0 <= slice1window_sum_1_0 when slice1other_cost_1_0_choice else slice0other_cost_out_1;
-        slice1other_cost_1_1 <= slice1window_sum_1_1 when slice1other_cost_1_1_choice else slice1other_cost_1_0;
-        slice1other_cost_1_2 <= slice1window_sum_1_2 when slice1other_cost_1_2_choice else slice1other_cost_1_1;
-        slice1other_winner_0_0 <= 3 when slice1other_cost_0_0_choice else slice0other_winner_out_0;
-        slice1other_winner_0_1 <= 4 when slice1other_cost_0_1_choice else slice1other_winner_0_0;
-        slice1other_winner_0_2 <= 5 when slice1other_cost_0_2_all else slice1other_winner_0_1;
-        slice1other_winner_1_0 <= 3 when slice1other_cost_1_0_choice else slice0other_winner_out_1;
-        slice1other_winner_1_1 <= 4 when slice1other_cost_1_1_choice else slice1other_winner_1_0;
-        slice1other_winner_1_2 <= 5 when slice1other_cost_1_2_choice else slice1other_winner_1_1;
+        if slice1other_cost_0_0_choice then
+          slice1other_cost_0_0 <= slice1window_sum_0_0;
+          slice1other_winner_0_0 <= 3;
+        else
+          slice1other_cost_0_0 <= slice0other_cost_out_0;
+          slice1other_winner_0_0 <= slice0other_winner_out_0;
+        end if;
+        if slice1other_cost_0_1_choice then
+          slice1other_cost_0_1 <= slice1window_sum_0_1;
+          slice1other_winner_0_1 <= 4;
+        else
+          slice1other_cost_0_1 <= slice1other_cost_0_0;
+          slice1other_winner_0_1 <= slice1other_winner_0_0;
+        end if;
+        if slice1other_cost_0_2_all then
+          slice1other_cost_0_2 <= slice1window_sum_0_2;
+          slice1other_winner_0_2 <= 5;
+        else
+          slice1other_cost_0_2 <= slice1other_cost_0_1;
+          slice1other_winner_0_2 <= slice1other_winner_0_1;
+        end if;
+        if slice1other_cost_1_0_choice then
+          slice1other_cost_1_0 <= slice1window_sum_1_0;
+          slice1other_winner_1_0 <= 3;
+        else
+          slice1other_cost_1_0 <= slice0other_cost_out_1;
+          slice1other_winner_1_0 <= slice0other_winner_out_1;
+        end if;
+        if slice1other_cost_1_1_choice then
+          slice1other_cost_1_1 <= slice1window_sum_1_1;
+          slice1other_winner_1_1 <= 4;
+        else
+          slice1other_cost_1_1 <= slice1other_cost_1_0;
+          slice1other_winner_1_1 <= slice1other_winner_1_0;
+        end if;
+        if slice1other_cost_1_2_choice then
+          slice1other_cost_1_2 <= slice1window_sum_1_2;
+          slice1other_winner_1_2 <= 5;
+        else
+          slice1other_cost_1_2 <= slice1other_cost_1_1;
+          slice1other_winner_1_2 <= slice1other_winner_1_1;
+        end if;
       end if;
       slice1other_cost_out_0 <= slice1other_cost_0_2;
       slice1other_cost_out_1 <= slice1other_cost_1_2;
       slice1other_winner_out_0 <= slice1other_winner_0_2;
       slice1other_winner_out_1 <= slice1other_winner_1_2;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_choice := 0 when slice1mask_inside_1 else 4095;
+      if slice1mask_inside_1 then
+        slice1winner1_of_pair_0_0_choice := 0;
+      else
+        slice1winner1_of_pair_0_0_choice := 4095;
+      end if;
       slice1winner1_of_pair_0_0_any := to_integer(((to_unsigned(slice1window_sum_0_1, 12)) or
         (to_unsigned(slice1winner1_of_pair_0_0_choice, 12))));
-      slice1winner1_of_pair_0_0_choice_2 := 0 when slice1mask_inside_0 else 4095;
+      if slice1mask_inside_0 then
+        slice1winner1_of_pair_0_0_choice_2 := 0;
+      else
+        slice1winner1_of_pair_0_0_choice_2 := 4095;
+      end if;
       slice1winner1_of_pair_0_0_any_2 := to_integer(((to_unsigned(slice1window_sum_0_0, 12)) or
         (to_unsigned(slice1winner1_of_pair_0_0_choice_2, 12))));
       slice1winner1_of_pair_0_0_is_less := (slice1winner1_of_pair_0_0_any - slice1winner1_of_pair_0_0_any_2) < 0;
-      slice1winner1_of_pair_0_2_choice := 0 when slice1mask_inside_2 else 4095;
+      if slice1mask_inside_2 then
+        slice1winner1_of_pair_0_2_choice := 0;
+      else
+        slice1winner1_of_pair_0_2_choice := 4095;
+      end if;
       slice1winner1_of_pair_1_0_any := to_integer(((to_unsigned(slice1window_sum_1_1, 13)) or
         (to_unsigned(slice1winner1_of_pair_0_0_choice, 13))));
       slice1winner1_of_pair_1_0_any_2 := to_integer(((to_unsigned(slice1window_sum_1_0, 13)) or
@@ -1080,46 +1369,76 @@ begin
         to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
       slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
         to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 13)) or (to_unsigned(slice1winner1_of_pair_1_1, 13))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1winner1_of_pair_0_0_any_2;
-      slice1winner1_of_pair_0_1 <= slice1winner1_of_pair_0_0_any when slice1winner1_of_pair_0_0_is_less else 0;
       slice1winner1_of_pair_0_2 <= to_integer(((to_unsigned(slice1window_sum_0_2, 12)) or
         (to_unsigned(slice1winner1_of_pair_0_2_choice, 12))));
-      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1winner1_of_pair_1_0_any_2;
-      slice1winner1_of_pair_1_1 <= slice1winner1_of_pair_1_0_any when slice1winner1_of_pair_1_0_is_less else 0;
       slice1winner1_of_pair_1_2 <= to_integer(((to_unsigned(slice1window_sum_1_2, 13)) or
         (to_unsigned(slice1winner1_of_pair_0_2_choice, 13))));
       slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
       slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
-      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
-      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
-      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
-        as_number(slice1winner1_pair_index_1_0);
       slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
         (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
       slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 13)) or
         (to_unsigned(slice1winner1_of_four_1_2, 13)))) or (to_unsigned(slice1winner1_of_four_1_0, 13))));
       slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
       slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
+      if slice1winner1_of_pair_0_0_is_less then
+        slice1winner1_of_pair_0_0 <= 0;
+        slice1winner1_of_pair_0_1 <= slice1winner1_of_pair_0_0_any;
+      else
+        slice1winner1_of_pair_0_0 <= slice1winner1_of_pair_0_0_any_2;
+        slice1winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice1winner1_of_pair_1_0_is_less then
+        slice1winner1_of_pair_1_0 <= 0;
+        slice1winner1_of_pair_1_1 <= slice1winner1_of_pair_1_0_any;
+      else
+        slice1winner1_of_pair_1_0 <= slice1winner1_of_pair_1_0_any_2;
+        slice1winner1_of_pair_1_1 <= 0;
+      end if;
+      if slice1winner1_of_four_0_0_is_less then
+        slice1winner1_of_four_0_0 <= 0;
+        slice1winner1_of_four_0_1 <= 0;
+        slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2;
+        slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice1winner1_of_four_0_0 <= slice1winner1_of_pair_0_0;
+        slice1winner1_of_four_0_1 <= slice1winner1_of_pair_0_1;
+        slice1winner1_of_four_0_2 <= 0;
+        slice1winner1_four_index_0_0 <= as_number(slice1winner1_pair_index_0_0);
+      end if;
+      if slice1winner1_of_four_1_0_is_less then
+        slice1winner1_of_four_1_0 <= 0;
+        slice1winner1_of_four_1_1 <= 0;
+        slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2;
+        slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice1winner1_of_four_1_0 <= slice1winner1_of_pair_1_0;
+        slice1winner1_of_four_1_1 <= slice1winner1_of_pair_1_1;
+        slice1winner1_of_four_1_2 <= 0;
+        slice1winner1_four_index_1_0 <= as_number(slice1winner1_pair_index_1_0);
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice1winner1_best_cost_0_0 - slice0_best_cost_0_0) < 0;
       slice1_best_cost_1_0_is_less := (slice1winner1_best_cost_1_0 - slice0_best_cost_1_0) < 0;
-      slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice0_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice1winner1_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice0_best_cost_1_0;
-      slice1_best_index_0_0 <= slice1winner1_best_index_0_0 + 3 when slice1_best_cost_0_0_is_less else
-        slice0_best_index_0_0;
-      slice1_best_index_1_0 <= slice1winner1_best_index_1_0 + 3 when slice1_best_cost_1_0_is_less else
-        slice0_best_index_1_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1_best_index_0_0 <= slice1winner1_best_index_0_0 + 3;
+      else
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      end if;
+      if slice1_best_cost_1_0_is_less then
+        slice1_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+        slice1_best_index_1_0 <= slice1winner1_best_index_1_0 + 3;
+      else
+        slice1_best_cost_1_0 <= slice0_best_cost_1_0;
+        slice1_best_index_1_0 <= slice0_best_index_1_0;
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice1shift_search_out_0;
@@ -1206,41 +1525,92 @@ begin
       slice2window_sum_1_1 <= slice2cost_column_1_1 + slice2window_partial_1_2_1;
       -- slice2mask
       slice2mask_inside_0_all := (not slice0winner1_pair_tag_valid) and slice2mask_inside_0;
-      slice2mask_inside_0_choice := slice2mask_inside_0_all when slice1window_tag_first_column else
-        slice0winner1_pair_tag_valid or slice2mask_inside_0;
-      slice2mask_inside_1_choice := slice2mask_inside_0 when slice0winner1_pair_tag_valid else slice2mask_inside_1;
-      slice2mask_inside_0 <= slice2mask_inside_0_choice when slice1mask_left_out else slice2mask_inside_0_all;
-      slice2mask_inside_1 <= (not slice0winner1_pair_tag_valid) and slice2mask_inside_1 when
-        slice1window_tag_first_column else slice2mask_inside_1_choice;
+      if slice1window_tag_first_column then
+        slice2mask_inside_0_choice := slice2mask_inside_0_all;
+      else
+        slice2mask_inside_0_choice := slice0winner1_pair_tag_valid or slice2mask_inside_0;
+      end if;
+      if slice0winner1_pair_tag_valid then
+        slice2mask_inside_1_choice := slice2mask_inside_0;
+      else
+        slice2mask_inside_1_choice := slice2mask_inside_1;
+      end if;
+      if slice1mask_left_out then
+        slice2mask_inside_0 <= slice2mask_inside_0_choice;
+      else
+        slice2mask_inside_0 <= slice2mask_inside_0_all;
+      end if;
+      if slice1window_tag_first_column then
+        slice2mask_inside_1 <= (not slice0winner1_pair_tag_valid) and slice2mask_inside_1;
+      else
+        slice2mask_inside_1 <= slice2mask_inside_1_choice;
+      end if;
       -- slice2other
       slice2other_cost_0_0_all := slice0winner1_four_tag_output_column and slice2mask_inside_0;
       slice2other_cost_0_0_all_2 := slice0winner1_four_tag_output_column and slice0winner1_four_tag_first_column and
         slice2mask_inside_0;
-      slice2other_cost_0_0_choice := slice2other_cost_0_0_all when (slice2window_sum_0_0 - slice1other_cost_out_0) < 0
-        else slice2other_cost_0_0_all_2;
-      slice2other_cost_1_0_choice := slice2other_cost_0_0_all when (slice2window_sum_1_0 - slice1other_cost_out_1) < 0
-        else slice2other_cost_0_0_all_2;
-      slice2other_winner_0_1_choice := slice2mask_inside_1 when slice0winner1_four_tag_first_column else
-        ((slice2window_sum_0_1 - slice2other_cost_0_0) < 0) and slice2mask_inside_1;
-      slice2other_winner_1_1_choice := slice0winner1_four_tag_output_column and slice2mask_inside_1 when
-        (slice2window_sum_1_1 - slice2other_cost_1_0) < 0 else slice0winner1_four_tag_output_column and
-        slice0winner1_four_tag_first_column and slice2mask_inside_1;
+      if (slice2window_sum_0_0 - slice1other_cost_out_0) < 0 then
+        slice2other_cost_0_0_choice := slice2other_cost_0_0_all;
+      else
+        slice2other_cost_0_0_choice := slice2other_cost_0_0_all_2;
+      end if;
+      if (slice2window_sum_1_0 - slice1other_cost_out_1) < 0 then
+        slice2other_cost_1_0_choice := slice2other_cost_0_0_all;
+      else
+        slice2other_cost_1_0_choice := slice2other_cost_0_0_all_2;
+      end if;
+      if slice0winner1_four_tag_first_column then
+        slice2other_winner_0_1_choice := slice2mask_inside_1;
+      else
+        slice2other_winner_0_1_choice := ((slice2window_sum_0_1 - slice2other_cost_0_0) < 0) and slice2mask_inside_1;
+      end if;
+      if (slice2window_sum_1_1 - slice2other_cost_1_0) < 0 then
+        slice2other_winner_1_1_choice := slice0winner1_four_tag_output_column and slice2mask_inside_1;
+      else
+        slice2other_winner_1_1_choice := slice0winner1_four_tag_output_column and slice0winner1_four_tag_first_column
+          and slice2mask_inside_1;
+      end if;
       if slice0winner1_four_tag_valid then
-        slice2other_cost_0_0 <= slice2window_sum_0_0 when slice2other_cost_0_0_choice else slice1other_cost_out_0;
-        slice2other_cost_1_0 <= slice2window_sum_1_0 when slice2other_cost_1_0_choice else slice1other_cost_out_1;
-        slice2other_winner_0_0 <= 6 when slice2other_cost_0_0_choice else slice1other_winner_out_0;
-        slice2other_winner_0_1 <= 7 when slice0winner1_four_tag_output_column and slice2other_winner_0_1_choice else
-          slice2other_winner_0_0;
-        slice2other_winner_1_0 <= 6 when slice2other_cost_1_0_choice else slice1other_winner_out_1;
-        slice2other_winner_1_1 <= 7 when slice2other_winner_1_1_choice else slice2other_winner_1_0;
+        if slice2other_cost_0_0_choice then
+          slice2other_cost_0_0 <= slice2window_sum_0_0;
+          slice2other_winner_0_0 <= 6;
+        else
+          slice2other_cost_0_0 <= slice1other_cost_out_0;
+          slice2other_winner_0_0 <= slice1other_winner_out_0;
+        end if;
+        if slice2other_cost_1_0_choice then
+          slice2other_cost_1_0 <= slice2window_sum_1_0;
+          slice2other_winner_1_0 <= 6;
+        else
+          slice2other_cost_1_0 <= slice1other_cost_out_1;
+          slice2other_winner_1_0 <= slice1other_winner_out_1;
+        end if;
+        if slice0winner1_four_tag_output_column and slice2other_winner_0_1_choice then
+          slice2other_winner_0_1 <= 7;
+        else
+          slice2other_winner_0_1 <= slice2other_winner_0_0;
+        end if;
+        if slice2other_winner_1_1_choice then
+          slice2other_winner_1_1 <= 7;
+        else
+          slice2other_winner_1_1 <= slice2other_winner_1_0;
+        end if;
       end if;
       slice2other_winner_out_0 <= slice2other_winner_0_1;
       slice2other_winner_out_1 <= slice2other_winner_1_1;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_choice := 0 when slice2mask_inside_1 else 4095;
+      if slice2mask_inside_1 then
+        slice2winner1_best_cost_0_0_choice := 0;
+      else
+        slice2winner1_best_cost_0_0_choice := 4095;
+      end if;
       slice2winner1_best_cost_0_0_any := to_integer(((to_unsigned(slice2window_sum_0_1, 12)) or
         (to_unsigned(slice2winner1_best_cost_0_0_choice, 12))));
-      slice2winner1_best_cost_0_0_choice_2 := 0 when slice2mask_inside_0 else 4095;
+      if slice2mask_inside_0 then
+        slice2winner1_best_cost_0_0_choice_2 := 0;
+      else
+        slice2winner1_best_cost_0_0_choice_2 := 4095;
+      end if;
       slice2winner1_best_cost_0_0_any_2 := to_integer(((to_unsigned(slice2window_sum_0_0, 12)) or
         (to_unsigned(slice2winner1_best_cost_0_0_choice_2, 12))));
       slice2winner1_best_cost_0_0_is_less := (slice2winner1_best_cost_0_0_any - slice2winner1_best_cost_0_0_any_2) < 0;
@@ -1249,12 +1619,18 @@ begin
       slice2winner1_best_cost_1_0_any_2 := to_integer(((to_unsigned(slice2window_sum_1_0, 13)) or
         (to_unsigned(slice2winner1_best_cost_0_0_choice_2, 13))));
       slice2winner1_best_cost_1_0_is_less := (slice2winner1_best_cost_1_0_any - slice2winner1_best_cost_1_0_any_2) < 0;
-      slice2winner1_best_cost_0_0 <= slice2winner1_best_cost_0_0_any when slice2winner1_best_cost_0_0_is_less else
-        slice2winner1_best_cost_0_0_any_2;
-      slice2winner1_best_cost_1_0 <= slice2winner1_best_cost_1_0_any when slice2winner1_best_cost_1_0_is_less else
-        slice2winner1_best_cost_1_0_any_2;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2winner1_best_cost_0_0_any;
+      else
+        slice2winner1_best_cost_0_0 <= slice2winner1_best_cost_0_0_any_2;
+      end if;
+      if slice2winner1_best_cost_1_0_is_less then
+        slice2winner1_best_cost_1_0 <= slice2winner1_best_cost_1_0_any;
+      else
+        slice2winner1_best_cost_1_0 <= slice2winner1_best_cost_1_0_any_2;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
@@ -1268,17 +1644,25 @@ begin
       -- slice2
       slice2_best_cost_0_0_is_less := (slice2winner3_best_cost_0_0 - slice1_best_cost_0_0) < 0;
       slice2_best_cost_1_0_is_less := (slice2winner3_best_cost_1_0 - slice1_best_cost_1_0) < 0;
-      slice2_best_cost_0_0 <= slice2winner3_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice1_best_cost_0_0;
-      slice2_best_cost_1_0 <= slice2winner3_best_cost_1_0 when slice2_best_cost_1_0_is_less else slice1_best_cost_1_0;
-      slice2_best_index_0_0 <= as_number(slice2winner3_best_index_0_0) + 6 when slice2_best_cost_0_0_is_less else
-        slice1_best_index_0_0;
-      slice2_best_index_1_0 <= as_number(slice2winner3_best_index_1_0) + 6 when slice2_best_cost_1_0_is_less else
-        slice1_best_index_1_0;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_map_column <= slice1_best_tag_map_column;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if slice2_best_cost_0_0_is_less then
+        slice2_best_cost_0_0 <= slice2winner3_best_cost_0_0;
+        slice2_best_index_0_0 <= as_number(slice2winner3_best_index_0_0) + 6;
+      else
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      end if;
+      if slice2_best_cost_1_0_is_less then
+        slice2_best_cost_1_0 <= slice2winner3_best_cost_1_0;
+        slice2_best_index_1_0 <= as_number(slice2winner3_best_index_1_0) + 6;
+      else
+        slice2_best_cost_1_0 <= slice1_best_cost_1_0;
+        slice2_best_index_1_0 <= slice1_best_index_1_0;
+      end if;
       -- leftright
       leftright_holds_winners_all := (not leftright_holds_winners) and (((leftright_ring_read_address / 4) = 1) or
         (((leftright_ring_read_address / 2) mod 2) = 1) or ((leftright_ring_read_address mod 2) = 1));
@@ -1290,8 +1674,6 @@ begin
       leftright_other_1_1 <= slice2other_winner_out_1;
       leftright_other_2_0 <= leftright_other_1_0;
       leftright_other_2_1 <= leftright_other_1_1;
-      leftright_holds_winners <= leftright_holds_winners and (not slice2_best_tag_valid) when
-        leftright_holds_winners_all else leftright_holds_winners or slice2_best_tag_valid;
       leftright_position <= (leftright_position + as_number(slice2_best_tag_valid)) mod 16;
       leftright_held_position <= leftright_position;
       leftright_held_valid <= (not leftright_holds_winners_all) and slice2_best_tag_valid;
@@ -1323,10 +1705,18 @@ begin
       leftright_checked_tag_output_column <= leftright_answered_tag_output_column;
       leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
       leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if leftright_holds_winners_all then
+        leftright_holds_winners <= leftright_holds_winners and (not slice2_best_tag_valid);
+      else
+        leftright_holds_winners <= leftright_holds_winners or slice2_best_tag_valid;
+      end if;
       if slice2_best_tag_valid then
-        leftright_ring_read_address <= 0 when leftright_ring_read_address = 7 else (leftright_ring_read_address + 1)
-          mod 8;
         leftright_ring_write_address <= leftright_ring_read_address;
+        if leftright_ring_read_address = 7 then
+          leftright_ring_read_address <= 0;
+        else
+          leftright_ring_read_address <= (leftright_ring_read_address + 1) mod 8;
+        end if;
       end if;
       -- other
       other_0 <= raster_place_group_is_equal;

@@ -217,35 +217,47 @@ architecture rtl of stereo_core_tiny_left_ties is
   signal slice2_best_index_0_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
   signal slice2_best_tag_end_of_line : boolean;
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(slice2_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(1, 1));
   disparity_valid <= as_bit(slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 16)
+    generic map (depth => 32, width => 16, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 16);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 16)
+    generic map (depth => 32, width => 16, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
@@ -261,29 +273,58 @@ begin
       raster_place_group_is_equal := raster_place_group = 11;
       raster_place_group_is_equal_2 := raster_place_column = 31;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
-      raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid and (not ((raster_place_group mod 2) =
-        1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and in_valid;
-      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
-        (raster_place_group + 1) mod 16;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
-        raster_place_group;
+      if raster_place_group_is_equal_3 then
+        raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid and (not ((raster_place_group mod 2)
+          = 1));
+      else
+        raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 12) then
+        raster_place_group_choice_3 := 1;
+      else
+        raster_place_group_choice_3 := (raster_place_group + 1) mod 16;
+      end if;
+      if raster_place_group_choice_2 then
+        raster_place_group_choice_4 := raster_place_group_choice_3;
+      else
+        raster_place_group_choice_4 := raster_place_group;
+      end if;
       raster_features_search_0 <= in_right_pixel;
       raster_features_reference_0 <= in_left_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 4 when in_start_of_frame and in_valid else
-        raster_place_group_choice_4;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
-        raster_place_next_frame;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= raster_place_group_choice * 4;
+      else
+        raster_place_group <= raster_place_group_choice_4;
+      end if;
+      if raster_place_group_is_equal_2 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal_2 or in_start_of_frame else (raster_place_column + 1)
-          mod 32;
-        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame;
+        if raster_place_group_is_equal_2 or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
+        if raster_place_next_frame_choice_2 then
+          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
+        else
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       -- delay
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
@@ -295,12 +336,15 @@ begin
       delay_row_inside_1 <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less;
       delay_row_inside_2 <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
-        (raster_place_column / 8) = 0;
       delay_tag_output_column <= delay_row_inside_1_is_not_less and delay_row_inside_1_is_less and
         ((((((raster_place_column / 8) + 8191) mod 8192) * 8) + (raster_place_column mod 8)) < 24);
       delay_tag_start_of_frame <= (raster_place_column = 8) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_group_is_equal_2;
+      if (raster_place_column mod 4) = 3 then
+        delay_tag_border_column <= (raster_place_column / 4) = 0;
+      else
+        delay_tag_border_column <= (raster_place_column / 8) = 0;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -326,17 +370,32 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_inside_2 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 256;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_0 / 256;
+        rows_reference_1 <= rows_reference_rows_ready_words_0 / 256;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_newest_0;
+        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_newest_0 * 256) + (rows_search_rows_ready_words_0 /
           256);
@@ -399,17 +458,20 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+      else
+        slice0cost_column_0_0 <= as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -433,17 +495,10 @@ begin
       slice0winner1_of_pair_0_0_is_not_less := (slice0window_sum_0_0 - slice0window_sum_0_1) >= 0;
       slice0winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or
         (to_unsigned(slice0winner1_of_pair_0_1, 12)))) - slice0winner1_of_pair_0_2) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_not_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_not_less else 0;
       slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
       slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_not_less;
       slice0winner1_pair_index_0_1 <= 2;
       slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_of_four_0_0 <= slice0winner1_of_pair_0_0 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_1 <= slice0winner1_of_pair_0_1 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_0_2 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_2;
-      slice0winner1_four_index_0_0 <= as_number(slice0winner1_pair_index_0_0) when slice0winner1_of_four_0_0_is_less
-        else slice0winner1_pair_index_0_1;
       slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
       slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
       slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
@@ -455,6 +510,24 @@ begin
       slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_of_pair_0_0_is_not_less then
+        slice0winner1_of_pair_0_0 <= 0;
+        slice0winner1_of_pair_0_1 <= slice0window_sum_0_1;
+      else
+        slice0winner1_of_pair_0_0 <= slice0window_sum_0_0;
+        slice0winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice0winner1_of_four_0_0_is_less then
+        slice0winner1_of_four_0_0 <= slice0winner1_of_pair_0_0;
+        slice0winner1_of_four_0_1 <= slice0winner1_of_pair_0_1;
+        slice0winner1_of_four_0_2 <= 0;
+        slice0winner1_four_index_0_0 <= as_number(slice0winner1_pair_index_0_0);
+      else
+        slice0winner1_of_four_0_0 <= 0;
+        slice0winner1_of_four_0_1 <= 0;
+        slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2;
+        slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      end if;
       if slice0winner1_pair_tag_valid then
         slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
         slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -507,13 +580,16 @@ begin
       slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
       slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
       slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+      else
+        slice1cost_column_0_0 <= as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -530,27 +606,44 @@ begin
       slice1winner1_of_pair_0_0_is_not_less := (slice1window_sum_0_0 - slice1window_sum_0_1) >= 0;
       slice1winner1_of_four_0_0_is_less := (to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or
         (to_unsigned(slice1winner1_of_pair_0_1, 12)))) - slice1winner1_of_pair_0_2) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_not_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_not_less else 0;
       slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
       slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_not_less;
-      slice1winner1_of_four_0_0 <= slice1winner1_of_pair_0_0 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_1 <= slice1winner1_of_pair_0_1 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_0_2 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_2;
-      slice1winner1_four_index_0_0 <= as_number(slice1winner1_pair_index_0_0) when slice1winner1_of_four_0_0_is_less
-        else slice0winner1_pair_index_0_1;
       slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
         (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
       slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      if slice1winner1_of_pair_0_0_is_not_less then
+        slice1winner1_of_pair_0_0 <= 0;
+        slice1winner1_of_pair_0_1 <= slice1window_sum_0_1;
+      else
+        slice1winner1_of_pair_0_0 <= slice1window_sum_0_0;
+        slice1winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice1winner1_of_four_0_0_is_less then
+        slice1winner1_of_four_0_0 <= slice1winner1_of_pair_0_0;
+        slice1winner1_of_four_0_1 <= slice1winner1_of_pair_0_1;
+        slice1winner1_of_four_0_2 <= 0;
+        slice1winner1_four_index_0_0 <= as_number(slice1winner1_pair_index_0_0);
+      else
+        slice1winner1_of_four_0_0 <= 0;
+        slice1winner1_of_four_0_1 <= 0;
+        slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2;
+        slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      end if;
       -- slice1
-      slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0 when (slice1winner1_best_cost_0_0 - slice0_best_cost_0_0) < 0
-        else slice0_best_cost_0_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0 else
-        slice1winner1_best_index_0_0 + 3;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if (slice1winner1_best_cost_0_0 - slice0_best_cost_0_0) < 0 then
+        slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+      else
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+      end if;
+      if (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0 then
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_index_0_0 <= slice1winner1_best_index_0_0 + 3;
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice1shift_search_out_0;
@@ -578,10 +671,13 @@ begin
       slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
       slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
       slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_0_1;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+      else
+        slice2cost_column_0_0 <= as_number(slice2cost_negative_0_0) + slice2cost_pair_0_0 + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= as_number(slice2cost_negative_0_1) + slice2cost_pair_0_1 + slice2cost_single_0_1;
+      end if;
       -- slice2window
       if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -592,9 +688,12 @@ begin
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
       -- slice2winner1
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when (slice2window_sum_0_1 - slice2window_sum_0_0) < 0 else
-        slice2window_sum_0_0;
       slice2winner1_best_index_0_0 <= (slice2window_sum_0_0 - slice2window_sum_0_1) >= 0;
+      if (slice2window_sum_0_1 - slice2window_sum_0_0) < 0 then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
@@ -602,12 +701,15 @@ begin
       slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
       slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
-        as_number(slice2winner3_best_index_0_0) + 6;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 then
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      else
+        slice2_best_index_0_0 <= as_number(slice2winner3_best_index_0_0) + 6;
+      end if;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;

@@ -301,44 +301,62 @@ architecture rtl of stereo_core_tiny_median_left_subpixel is
   signal other_6 : natural range 0 to 240;
   signal other_7 : natural range 0 to 224;
   signal other_8 : natural range 0 to 192;
+  signal map_rows_read_words_0_memory_read_enable : boolean;
+  signal map_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal map_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  map_rows_read_words_0_memory_read_enable <= true;
+  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 5);
+  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 5);
   map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 26)
+    generic map (depth => 24, width => 26, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
+      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
+      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 16)
+    generic map (depth => 32, width => 16, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 16);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 16)
+    generic map (depth => 32, width => 16, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
@@ -384,29 +402,58 @@ begin
       raster_place_group_is_equal := raster_place_group = 11;
       raster_place_group_is_equal_2 := raster_place_column = 31;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
-      raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid and (not ((raster_place_group mod 2) =
-        1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and in_valid;
-      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
-        (raster_place_group + 1) mod 16;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
-        raster_place_group;
+      if raster_place_group_is_equal_3 then
+        raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid and (not ((raster_place_group mod 2)
+          = 1));
+      else
+        raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 12) then
+        raster_place_group_choice_3 := 1;
+      else
+        raster_place_group_choice_3 := (raster_place_group + 1) mod 16;
+      end if;
+      if raster_place_group_choice_2 then
+        raster_place_group_choice_4 := raster_place_group_choice_3;
+      else
+        raster_place_group_choice_4 := raster_place_group;
+      end if;
       raster_features_search_0 <= in_right_pixel;
       raster_features_reference_0 <= in_left_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 4 when in_start_of_frame and in_valid else
-        raster_place_group_choice_4;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
-        raster_place_next_frame;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= raster_place_group_choice * 4;
+      else
+        raster_place_group <= raster_place_group_choice_4;
+      end if;
+      if raster_place_group_is_equal_2 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal_2 or in_start_of_frame else (raster_place_column + 1)
-          mod 32;
-        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame;
+        if raster_place_group_is_equal_2 or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
+        if raster_place_next_frame_choice_2 then
+          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
+        else
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       -- delay
       delay_ahead_0 <= raster_features_reference_0;
@@ -417,11 +464,14 @@ begin
       delay_row_inside_2 <= refinement_passed_5_0;
       delay_tag_valid <= raster_features_valid;
       delay_tag_newest_inside <= (not ((raster_place_group / 8) = 1)) or (not (((raster_place_group / 4) mod 2) = 1));
-      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
-        (raster_place_column / 8) = 0;
       delay_tag_map_column <= (((((raster_place_column / 8) + 8191) mod 8192) * 8) + (raster_place_column mod 8)) < 24;
       delay_tag_start_of_frame <= (raster_place_column = 8) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_group_is_equal_2;
+      if (raster_place_column mod 4) = 3 then
+        delay_tag_border_column <= (raster_place_column / 4) = 0;
+      else
+        delay_tag_border_column <= (raster_place_column / 8) = 0;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -449,18 +499,33 @@ begin
       rows_ready_tag_map_column <= rows_read_tag_map_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_tag_newest_inside else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_tag_newest_inside else 0;
       rows_inside_2 <= rows_ready_inside_2;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_map_column <= rows_ready_tag_map_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 256;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_0 / 256;
+        rows_reference_1 <= rows_reference_rows_ready_words_0 / 256;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_tag_newest_inside then
+        rows_search_2 <= rows_search_rows_ready_newest_0;
+        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_newest_0 * 256) + (rows_search_rows_ready_words_0 /
           256);
@@ -525,17 +590,20 @@ begin
       slice0cost_pair_tag_map_column <= slice0cost_difference_tag_map_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+      else
+        slice0cost_column_0_0 <= as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -557,15 +625,20 @@ begin
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
       slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
       slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
       slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
       slice0winner1_best_last_0_0 <= slice0window_sum_0_1;
       slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+      end if;
       if slice0winner1_tag_valid then
         slice0winner1_tag_map_column <= slice0window_tag_map_column;
         slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -573,21 +646,27 @@ begin
       end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_best_above_0_0_choice := slice0winner1_best_cost_0_1 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_below_0_0 <= slice0winner1_best_last_0_0 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_below_0_0;
-      slice0winner2_best_above_0_0 <= 0 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner2_best_above_0_0_choice;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_cost_0_1;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
       slice0winner2_best_last_0_0 <= slice0winner1_best_cost_0_1;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner1_best_last_0_0;
+        slice0winner2_best_above_0_0 <= 0;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner2_best_index_0_0;
@@ -638,13 +717,16 @@ begin
       slice1cost_single_0_0 <= (folded(slice1cost_difference_0_0) + as_number((slice1cost_difference_0_0 < 0))) mod 256;
       slice1cost_single_0_1 <= (folded(slice1cost_difference_0_1) + as_number((slice1cost_difference_0_1 < 0))) mod 256;
       slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+      else
+        slice1cost_column_0_0 <= as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -659,46 +741,67 @@ begin
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
       -- slice1winner1
       slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
       slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
       slice1winner1_best_first_0_0 <= slice1window_sum_0_0;
       slice1winner1_best_last_0_0 <= slice1window_sum_0_1;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_best_above_0_0_choice := slice1winner1_best_cost_0_1 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_below_0_0 <= slice1winner1_best_last_0_0 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_below_0_0;
-      slice1winner2_best_above_0_0 <= 0 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner2_best_above_0_0_choice;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_cost_0_1;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
       slice1winner2_best_first_0_0 <= slice1winner1_best_first_0_0;
       slice1winner2_best_last_0_0 <= slice1winner1_best_cost_0_1;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner1_best_last_0_0;
+        slice1winner2_best_above_0_0 <= 0;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice1winner2_best_cost_0_0 - slice0_best_cost_0_0) < 0;
-      slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1winner2_best_index_0_0 = 0 else
-        slice1winner2_best_below_0_0;
-      slice1_best_above_0_0_choice := slice1winner2_best_first_0_0 when slice0_best_index_0_0 = 2 else
-        slice0_best_above_0_0;
-      slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice0_best_cost_0_0;
-      slice1_best_index_0_0 <= slice1winner2_best_index_0_0 + 3 when slice1_best_cost_0_0_is_less else
-        slice0_best_index_0_0;
-      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
-        slice0_best_below_0_0;
-      slice1_best_above_0_0 <= slice1winner2_best_above_0_0 when slice1_best_cost_0_0_is_less else
-        slice1_best_above_0_0_choice;
+      if slice1winner2_best_index_0_0 = 0 then
+        slice1_best_below_0_0_choice := slice0_best_last_0_0;
+      else
+        slice1_best_below_0_0_choice := slice1winner2_best_below_0_0;
+      end if;
+      if slice0_best_index_0_0 = 2 then
+        slice1_best_above_0_0_choice := slice1winner2_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice0_best_above_0_0;
+      end if;
       slice1_best_last_0_0 <= slice1winner2_best_last_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1_best_index_0_0 <= slice1winner2_best_index_0_0 + 3;
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice1winner2_best_above_0_0;
+      else
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice0_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice1shift_search_out_0;
@@ -726,10 +829,13 @@ begin
       slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
       slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
       slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_0_1;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+      else
+        slice2cost_column_0_0 <= as_number(slice2cost_negative_0_0) + slice2cost_pair_0_0 + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= as_number(slice2cost_negative_0_1) + slice2cost_pair_0_1 + slice2cost_single_0_1;
+      end if;
       -- slice2window
       if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -741,12 +847,17 @@ begin
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
       -- slice2winner1
       slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_below_0_0 <= slice2window_sum_0_0 when slice2winner1_best_cost_0_0_is_less else 0;
-      slice2winner1_best_above_0_0 <= 0 when slice2winner1_best_cost_0_0_is_less else slice2window_sum_0_1;
       slice2winner1_best_first_0_0 <= slice2window_sum_0_0;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+        slice2winner1_best_below_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_above_0_0 <= 0;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_below_0_0 <= 0;
+        slice2winner1_best_above_0_0 <= slice2window_sum_0_1;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
@@ -755,34 +866,54 @@ begin
       slice2winner2_best_first_0_0 <= slice2winner1_best_first_0_0;
       -- slice2
       slice2_best_cost_0_0_is_less := (slice2winner2_best_cost_0_0 - slice1_best_cost_0_0) < 0;
-      slice2_best_below_0_0_choice := slice2winner2_best_below_0_0 when slice2winner2_best_index_0_0 else
-        slice1_best_last_0_0;
-      slice2_best_above_0_0_choice := slice2winner2_best_first_0_0 when slice1_best_index_0_0 = 5 else
-        slice1_best_above_0_0;
-      slice2_best_cost_0_0 <= slice2winner2_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice1_best_cost_0_0;
-      slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0) + 6 when slice2_best_cost_0_0_is_less else
-        slice1_best_index_0_0;
-      slice2_best_below_0_0 <= slice2_best_below_0_0_choice when slice2_best_cost_0_0_is_less else
-        slice1_best_below_0_0;
-      slice2_best_above_0_0 <= slice2winner2_best_above_0_0 when slice2_best_cost_0_0_is_less else
-        slice2_best_above_0_0_choice;
+      if slice2winner2_best_index_0_0 then
+        slice2_best_below_0_0_choice := slice2winner2_best_below_0_0;
+      else
+        slice2_best_below_0_0_choice := slice1_best_last_0_0;
+      end if;
+      if slice1_best_index_0_0 = 5 then
+        slice2_best_above_0_0_choice := slice2winner2_best_first_0_0;
+      else
+        slice2_best_above_0_0_choice := slice1_best_above_0_0;
+      end if;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_map_column <= slice1_best_tag_map_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if slice2_best_cost_0_0_is_less then
+        slice2_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+        slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0) + 6;
+        slice2_best_below_0_0 <= slice2_best_below_0_0_choice;
+        slice2_best_above_0_0 <= slice2winner2_best_above_0_0;
+      else
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+        slice2_best_below_0_0 <= slice1_best_below_0_0;
+        slice2_best_above_0_0 <= slice2_best_above_0_0_choice;
+      end if;
       -- refinement
       refinement_tag_0_row_start_difference := (refinement_remainder_0_0 + 8192) - refinement_divisor_0_0;
       refinement_tag_11_row_start_is_equal := map_counter_column = 23;
-      refinement_tag_11_row_start_choice := (map_counter_group /= 12) and refinement_tag_11_row_start when
-        refinement_tag_11_row_start_is_equal else refinement_tag_11_row_start;
-      refinement_tag_11_row_start_choice_2 := refinement_tag_11_row_start when map_counter_group = 13 else
-        refinement_tag_11_row_start_choice;
+      if refinement_tag_11_row_start_is_equal then
+        refinement_tag_11_row_start_choice := (map_counter_group /= 12) and refinement_tag_11_row_start;
+      else
+        refinement_tag_11_row_start_choice := refinement_tag_11_row_start;
+      end if;
+      if map_counter_group = 13 then
+        refinement_tag_11_row_start_choice_2 := refinement_tag_11_row_start;
+      else
+        refinement_tag_11_row_start_choice_2 := refinement_tag_11_row_start_choice;
+      end if;
       refinement_tag_11_row_start_is_equal_2 := map_counter_group = 11;
       refinement_tag_11_row_start_all := refinement_tag_11_row_start_is_equal and
         refinement_tag_11_row_start_is_equal_2;
-      refinement_tag_11_row_start_choice_3 := refinement_tag_11_row_start_all or (not refinement_tag_11_start_of_frame)
-        when refinement_tag_11_row_start_choice_2 else refinement_tag_11_row_start_is_equal and
-        refinement_tag_11_row_start_is_equal_2 and refinement_tag_11_start_of_frame;
+      if refinement_tag_11_row_start_choice_2 then
+        refinement_tag_11_row_start_choice_3 := refinement_tag_11_row_start_all or (not
+          refinement_tag_11_start_of_frame);
+      else
+        refinement_tag_11_row_start_choice_3 := refinement_tag_11_row_start_is_equal and
+          refinement_tag_11_row_start_is_equal_2 and refinement_tag_11_start_of_frame;
+      end if;
       refinement_tag_11_row_start_all_2 := refinement_tag_11_valid and refinement_tag_11_map_column;
       refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 8192) - refinement_divisor_1_0;
       refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 8192) - refinement_divisor_2_0;
@@ -791,7 +922,11 @@ begin
       refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 8192) - refinement_divisor_5_0;
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 8192) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -868,33 +1003,14 @@ begin
       refinement_tag_10_start_of_frame <= refinement_tag_9_start_of_frame;
       refinement_tag_10_end_of_line <= refinement_tag_9_end_of_line;
       refinement_tag_11_valid <= refinement_tag_10_valid;
-      refinement_tag_11_row_start <= refinement_tag_11_row_start or refinement_tag_11_row_start_all_2 when
-        refinement_tag_11_row_start_choice_3 else refinement_tag_11_row_start and ((not refinement_tag_11_valid) or
-        (not refinement_tag_11_map_column));
       refinement_tag_11_map_column <= refinement_tag_10_map_column;
       refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
       refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
       refinement_cost_0 <= slice2_best_cost_0_0;
-      refinement_below_0 <= slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else slice2_best_below_0_0;
-      refinement_above_0 <= slice2_best_below_0_0 when slice2_best_index_0_0 = 7 else slice2_best_above_0_0;
       refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 4096;
       refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 4096;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_remainder_1_0 <= refinement_tag_0_row_start_difference mod 4096 when
-        (refinement_tag_0_row_start_difference / 8192) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096 when
-        (refinement_remainder_2_0_difference / 8192) = 1 else (refinement_remainder_1_0 mod 2048) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096 when
-        (refinement_remainder_3_0_difference / 8192) = 1 else (refinement_remainder_2_0 mod 2048) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096 when
-        (refinement_remainder_4_0_difference / 8192) = 1 else (refinement_remainder_3_0 mod 2048) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096 when
-        (refinement_remainder_5_0_difference / 8192) = 1 else (refinement_remainder_4_0 mod 2048) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096 when
-        (refinement_remainder_6_0_difference / 8192) = 1 else (refinement_remainder_5_0 mod 2048) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096 when
-        (refinement_remainder_7_0_difference / 8192) = 1 else (refinement_remainder_6_0 mod 2048) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 12)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 12))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
@@ -916,19 +1032,87 @@ begin
       refinement_negative_7_0 <= refinement_negative_6_0;
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
+      if refinement_tag_11_row_start_choice_3 then
+        refinement_tag_11_row_start <= refinement_tag_11_row_start or refinement_tag_11_row_start_all_2;
+      else
+        refinement_tag_11_row_start <= refinement_tag_11_row_start and ((not refinement_tag_11_valid) or (not
+          refinement_tag_11_map_column));
+      end if;
+      if slice2_best_index_0_0 = 0 then
+        refinement_below_0 <= slice2_best_above_0_0;
+      else
+        refinement_below_0 <= slice2_best_below_0_0;
+      end if;
+      if slice2_best_index_0_0 = 7 then
+        refinement_above_0 <= slice2_best_below_0_0;
+      else
+        refinement_above_0 <= slice2_best_above_0_0;
+      end if;
+      if (refinement_tag_0_row_start_difference / 8192) = 1 then
+        refinement_remainder_1_0 <= refinement_tag_0_row_start_difference mod 4096;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_2_0_difference / 8192) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 8192) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 8192) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 8192) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 8192) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 8192) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 2048) * 2;
+      end if;
       -- map
       if refinement_tag_11_row_start_all_2 then
-        map_counter_column <= 0 when refinement_tag_11_row_start_is_equal or refinement_tag_11_start_of_frame else
-          (map_counter_column + 1) mod 32;
+        if refinement_tag_11_row_start_is_equal or refinement_tag_11_start_of_frame then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 32;
+        end if;
       end if;
-      map_counter_group_choice := 3 when refinement_tag_11_row_start_all else 0;
+      if refinement_tag_11_row_start_all then
+        map_counter_group_choice := 3;
+      else
+        map_counter_group_choice := 0;
+      end if;
       map_counter_group_is_equal := map_counter_group = 12;
-      map_counter_group_choice_2 := 1 when map_counter_group_is_equal and refinement_tag_11_row_start else
-        (map_counter_group + 1) mod 16;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when (map_counter_group /= 13) and
-        refinement_tag_11_row_start_is_equal and refinement_tag_11_valid and refinement_tag_11_map_column else
-        map_counter_group;
-      map_line_ended_choice := refinement_tag_11_map_column when refinement_tag_11_valid else map_line_ended;
+      if map_counter_group_is_equal and refinement_tag_11_row_start then
+        map_counter_group_choice_2 := 1;
+      else
+        map_counter_group_choice_2 := (map_counter_group + 1) mod 16;
+      end if;
+      if (map_counter_group /= 13) and refinement_tag_11_row_start_is_equal and refinement_tag_11_valid and
+        refinement_tag_11_map_column then
+        map_counter_group_choice_3 := map_counter_group_choice_2;
+      else
+        map_counter_group_choice_3 := map_counter_group;
+      end if;
+      if refinement_tag_11_valid then
+        map_line_ended_choice := refinement_tag_11_map_column;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
@@ -940,8 +1124,16 @@ begin
       else
         map_of_column_0_c_choice := map_column_2 / 2;
       end if;
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
       if map_of_column_0_c_below_b then
         map_sorted_middle_0_choice := map_of_column_0_b;
       else
@@ -963,29 +1155,72 @@ begin
         map_sorted_high_0_choice_2 := map_of_column_0_c;
       end if;
       map_window_complete_is_equal := map_sorted_column = 0;
-      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
-        map_median_middle_0_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_counter_group <= map_counter_group_choice * 4 when refinement_tag_11_start_of_frame and
-        refinement_tag_11_valid and refinement_tag_11_map_column else map_counter_group_choice_3;
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice := map_of_low_0_a;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice_2 := map_of_low_0_b;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_2 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_4 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
       map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
       map_newest_0 <= (((((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) + ((refinement_fraction_0
         mod 16) / 8) + 8191) mod 4096) * 8) + (refinement_fraction_0 mod 8)) * 2) +
         as_number(slice0cost_difference_tag_newest_inside);
       map_arrives <= refinement_tag_11_row_start_all_2;
       map_behind <= map_line_ended and refinement_tag_11_valid;
-      map_line_ended <= map_line_ended_choice when refinement_tag_11_end_of_line else map_line_ended and (not
-        refinement_tag_11_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -1014,14 +1249,6 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
-        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
-      map_window_complete <= map_sorted_output and map_sorted_behind when map_window_complete_is_equal else
-        map_sorted_output and (map_sorted_arrives or map_sorted_behind);
       map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
       map_window_last <= map_sorted_behind;
       map_of_low_0_a <= map_low_0_0;
@@ -1042,10 +1269,6 @@ begin
       map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
-        map_median_middle_0_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
@@ -1064,30 +1287,96 @@ begin
       map_waiting_passed_0_0 <= map_passed_1_0;
       map_waiting_passed_1_0 <= map_waiting_passed_0_0;
       map_waiting_passed_2_0 <= map_waiting_passed_1_0;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if refinement_tag_11_start_of_frame and refinement_tag_11_valid and refinement_tag_11_map_column then
+        map_counter_group <= map_counter_group_choice * 4;
+      else
+        map_counter_group <= map_counter_group_choice_3;
+      end if;
+      if refinement_tag_11_end_of_line then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= map_line_ended and (not refinement_tag_11_valid);
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_passed_0_0 then
+        map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind;
+      else
+        map_passed_1_0 <= map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      end if;
+      if map_window_complete_is_equal then
+        map_window_complete <= map_sorted_output and map_sorted_behind;
+      else
+        map_window_complete <= map_sorted_output and (map_sorted_arrives or map_sorted_behind);
+      end if;
+      if map_of_low_0_b_below_a then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
         map_at_column <= to_integer(other_1(4 downto 0));
       end if;
-      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_0_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
       map_low_1_0_all := map_sorted_arrives and map_window_complete_is_equal;
-      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_0_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
       map_low_0_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_0_all then
         map_low_0_0 <= map_low_0_0_choice;
-        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
         map_middle_0_0 <= map_middle_0_0_choice;
-        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
         map_high_0_0 <= map_high_0_0_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
+        if map_low_1_0_all then
+          map_low_1_0 <= map_low_0_0_choice;
+          map_middle_1_0 <= map_middle_0_0_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+        else
+          map_low_1_0 <= map_low_0_0;
+          map_middle_1_0 <= map_middle_0_0;
+          map_high_1_0 <= map_high_0_0;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;

@@ -296,53 +296,77 @@ architecture rtl of stereo_core_tiny_median_p2 is
   signal other_0, other_2 : unsigned(48 downto 0);
   signal other_1 : natural range 0 to 30;
   signal other_3, other_4, other_5 : natural range 0 to 3932160;
+  signal map_rows_read_words_0_memory_read_enable : boolean;
+  signal map_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal map_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(22 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(2 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(2 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(15 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_1, 8) & to_unsigned(map_out_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1) & to_unsigned(as_number(map_out_passed_1), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  map_rows_read_words_0_memory_read_enable <= true;
+  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 5);
+  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 5);
   map_rows_read_words_0_memory_write_data <= to_unsigned(map_rows_write_words_0, 23);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 23)
+    generic map (depth => 24, width => 23, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
+      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
+      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 3);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 3);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference, 16);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 16)
+    generic map (depth => 8, width => 16, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
@@ -444,34 +468,67 @@ begin
       raster_place_group_is_equal := raster_place_column = 31;
       raster_place_group_is_equal_2 := raster_place_group = 5;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
-      raster_place_group_choice_2 := 1 when raster_place_next_frame and (raster_place_group = 6) else
-        (raster_place_group + 1) mod 8;
-      raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 7) and
-        raster_place_group_is_equal and in_valid else raster_place_group;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        (raster_place_group / 2) = 3 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
-        raster_place_next_frame;
-      raster_place_next_frame_choice_3 := in_valid when raster_place_group_all else in_valid and (not
-        in_start_of_frame);
-      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
-        raster_place_group_is_equal and raster_place_group_is_equal_2 and in_valid and in_start_of_frame;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 6) then
+        raster_place_group_choice_2 := 1;
+      else
+        raster_place_group_choice_2 := (raster_place_group + 1) mod 8;
+      end if;
+      if (raster_place_group /= 7) and raster_place_group_is_equal and in_valid then
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      else
+        raster_place_group_choice_3 := raster_place_group;
+      end if;
+      if (raster_place_group / 2) = 3 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
+      if raster_place_group_all then
+        raster_place_next_frame_choice_3 := in_valid;
+      else
+        raster_place_next_frame_choice_3 := in_valid and (not in_start_of_frame);
+      end if;
+      if raster_place_next_frame_choice_2 then
+        raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3;
+      else
+        raster_place_next_frame_choice_4 := raster_place_group_is_equal and raster_place_group_is_equal_2 and in_valid
+          and in_start_of_frame;
+      end if;
       raster_features_search_0 <= in_left_pixel mod 256;
       raster_features_search_1 <= in_left_pixel / 256;
       raster_features_reference <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 2 when in_valid and in_start_of_frame else
-        raster_place_group_choice_3;
       raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not in_valid) and raster_place_next_frame);
+      if in_valid and in_start_of_frame then
+        raster_place_group <= raster_place_group_choice * 2;
+      else
+        raster_place_group <= raster_place_group_choice_3;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 32;
+        if raster_place_group_is_equal or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 7 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 8;
+        end if;
       end if;
       delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
       delay_row_inside_0_any := ((raster_place_group / 4) = 1) or delay_row_inside_0_value;
@@ -480,14 +537,21 @@ begin
       delay_ahead_1 <= raster_features_search_1;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_any;
-      delay_row_inside_1 <= delay_row_inside_1_any when (raster_place_group mod 2) = 1 else delay_row_inside_0_any;
       delay_row_inside_3 <= delay_row_inside_1_any;
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
-        (raster_place_column / 8) = 0;
       delay_tag_map_column <= (raster_place_column >= 7) and (raster_place_column < 31);
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
+      if (raster_place_group mod 2) = 1 then
+        delay_row_inside_1 <= delay_row_inside_1_any;
+      else
+        delay_row_inside_1 <= delay_row_inside_0_any;
+      end if;
+      if (raster_place_column mod 4) = 3 then
+        delay_tag_border_column <= (raster_place_column / 4) = 0;
+      else
+        delay_tag_border_column <= (raster_place_column / 8) = 0;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_read_newest_1 <= delay_ahead_1;
@@ -517,19 +581,36 @@ begin
       rows_ready_tag_map_column <= rows_read_tag_map_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_search_1 <= (rows_search_rows_ready_words_0 / 256) mod 256 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_words_0 / 65536 when rows_ready_inside_1 else 0;
-      rows_search_3 <= rows_search_rows_ready_newest_0 when rows_ready_inside_3 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= (rows_reference_rows_ready_words_0 / 256) mod 256 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_words_0 / 65536 when rows_ready_inside_1 else 0;
-      rows_reference_3 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_3 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_map_column <= rows_ready_tag_map_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 256;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= (rows_search_rows_ready_words_0 / 256) mod 256;
+        rows_search_2 <= rows_search_rows_ready_words_0 / 65536;
+        rows_reference_1 <= (rows_reference_rows_ready_words_0 / 256) mod 256;
+        rows_reference_2 <= rows_reference_rows_ready_words_0 / 65536;
+      else
+        rows_search_1 <= 0;
+        rows_search_2 <= 0;
+        rows_reference_1 <= 0;
+        rows_reference_2 <= 0;
+      end if;
+      if rows_ready_inside_3 then
+        rows_search_3 <= rows_search_rows_ready_newest_0;
+        rows_reference_3 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_3 <= 0;
+        rows_reference_3 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 65536) + (rows_search_rows_ready_newest_0 *
           256) + (rows_search_rows_ready_newest_1 * 65536);
@@ -603,23 +684,26 @@ begin
       slice0cost_pair_tag_map_column <= slice0cost_difference_tag_map_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_1_0 <= 0;
+        slice0cost_column_1_1 <= 0;
+        slice0cost_column_1_2 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
+        slice0cost_column_1_0 <= slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
+        slice0cost_column_1_1 <= slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
+        slice0cost_column_1_2 <= slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -655,26 +739,12 @@ begin
         to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
       slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
         to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 12)) or (to_unsigned(slice0winner1_of_pair_1_1, 12))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
       slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
-      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
-      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
       slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
       slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
       slice0winner1_pair_index_0_1 <= 2;
       slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
       slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
-      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
-      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
-        as_number(slice0winner1_pair_index_1_0);
       slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
       slice0winner1_four_tag_map_column <= slice0winner1_pair_tag_map_column;
       slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
@@ -689,6 +759,42 @@ begin
       slice0winner1_tag_map_column <= slice0winner1_four_tag_map_column;
       slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_of_pair_0_0_is_less then
+        slice0winner1_of_pair_0_0 <= 0;
+        slice0winner1_of_pair_0_1 <= slice0window_sum_0_1;
+      else
+        slice0winner1_of_pair_0_0 <= slice0window_sum_0_0;
+        slice0winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice0winner1_of_pair_1_0_is_less then
+        slice0winner1_of_pair_1_0 <= 0;
+        slice0winner1_of_pair_1_1 <= slice0window_sum_1_1;
+      else
+        slice0winner1_of_pair_1_0 <= slice0window_sum_1_0;
+        slice0winner1_of_pair_1_1 <= 0;
+      end if;
+      if slice0winner1_of_four_0_0_is_less then
+        slice0winner1_of_four_0_0 <= 0;
+        slice0winner1_of_four_0_1 <= 0;
+        slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2;
+        slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice0winner1_of_four_0_0 <= slice0winner1_of_pair_0_0;
+        slice0winner1_of_four_0_1 <= slice0winner1_of_pair_0_1;
+        slice0winner1_of_four_0_2 <= 0;
+        slice0winner1_four_index_0_0 <= as_number(slice0winner1_pair_index_0_0);
+      end if;
+      if slice0winner1_of_four_1_0_is_less then
+        slice0winner1_of_four_1_0 <= 0;
+        slice0winner1_of_four_1_1 <= 0;
+        slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2;
+        slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice0winner1_of_four_1_0 <= slice0winner1_of_pair_1_0;
+        slice0winner1_of_four_1_1 <= slice0winner1_of_pair_1_1;
+        slice0winner1_of_four_1_2 <= 0;
+        slice0winner1_four_index_1_0 <= as_number(slice0winner1_pair_index_1_0);
+      end if;
       if slice0winner1_pair_tag_valid then
         slice0winner1_pair_tag_map_column <= slice0window_tag_map_column;
         slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -754,19 +860,22 @@ begin
       slice1cost_single_3_0 <= (folded(slice1cost_difference_3_0) + as_number((slice1cost_difference_3_0 < 0))) mod 256;
       slice1cost_single_3_1 <= (folded(slice1cost_difference_3_1) + as_number((slice1cost_difference_3_1 < 0))) mod 256;
       slice1cost_single_3_2 <= (folded(slice1cost_difference_3_2) + as_number((slice1cost_difference_3_2 < 0))) mod 256;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
-        as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
-        as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
-        as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
-        as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
-        as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
-        as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_1_0 <= 0;
+        slice1cost_column_1_1 <= 0;
+        slice1cost_column_1_2 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
+        slice1cost_column_1_0 <= slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
+        slice1cost_column_1_1 <= slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
+        slice1cost_column_1_2 <= slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -795,43 +904,73 @@ begin
         to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
       slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
         to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 12)) or (to_unsigned(slice1winner1_of_pair_1_1, 12))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
       slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
-      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
-      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
       slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
       slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
       slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
-      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
-      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
-      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
-        as_number(slice1winner1_pair_index_1_0);
       slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
         (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
       slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 12)) or
         (to_unsigned(slice1winner1_of_four_1_2, 12)))) or (to_unsigned(slice1winner1_of_four_1_0, 12))));
       slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
       slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
+      if slice1winner1_of_pair_0_0_is_less then
+        slice1winner1_of_pair_0_0 <= 0;
+        slice1winner1_of_pair_0_1 <= slice1window_sum_0_1;
+      else
+        slice1winner1_of_pair_0_0 <= slice1window_sum_0_0;
+        slice1winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice1winner1_of_pair_1_0_is_less then
+        slice1winner1_of_pair_1_0 <= 0;
+        slice1winner1_of_pair_1_1 <= slice1window_sum_1_1;
+      else
+        slice1winner1_of_pair_1_0 <= slice1window_sum_1_0;
+        slice1winner1_of_pair_1_1 <= 0;
+      end if;
+      if slice1winner1_of_four_0_0_is_less then
+        slice1winner1_of_four_0_0 <= 0;
+        slice1winner1_of_four_0_1 <= 0;
+        slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2;
+        slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice1winner1_of_four_0_0 <= slice1winner1_of_pair_0_0;
+        slice1winner1_of_four_0_1 <= slice1winner1_of_pair_0_1;
+        slice1winner1_of_four_0_2 <= 0;
+        slice1winner1_four_index_0_0 <= as_number(slice1winner1_pair_index_0_0);
+      end if;
+      if slice1winner1_of_four_1_0_is_less then
+        slice1winner1_of_four_1_0 <= 0;
+        slice1winner1_of_four_1_1 <= 0;
+        slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2;
+        slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice1winner1_of_four_1_0 <= slice1winner1_of_pair_1_0;
+        slice1winner1_of_four_1_1 <= slice1winner1_of_pair_1_1;
+        slice1winner1_of_four_1_2 <= 0;
+        slice1winner1_four_index_1_0 <= as_number(slice1winner1_pair_index_1_0);
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
       slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner1_best_cost_1_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
-      slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1_best_index_0_0 <= (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
+      end if;
+      if slice1_best_cost_1_0_is_less then
+        slice1_best_cost_1_0 <= slice0_best_cost_1_0;
+        slice1_best_index_1_0 <= slice0_best_index_1_0;
+      else
+        slice1_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+        slice1_best_index_1_0 <= (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -866,14 +1005,17 @@ begin
       slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
       slice2cost_single_3_0 <= (folded(slice2cost_difference_3_0) + as_number((slice2cost_difference_3_0 < 0))) mod 256;
       slice2cost_single_3_1 <= (folded(slice2cost_difference_3_1) + as_number((slice2cost_difference_3_1 < 0))) mod 256;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
-        as_number(slice2cost_negative_0_0) + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
-        as_number(slice2cost_negative_0_1) + slice2cost_single_0_1;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
-        as_number(slice2cost_negative_0_0) + slice2cost_single_3_0;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
-        as_number(slice2cost_negative_0_1) + slice2cost_single_3_1;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+        slice2cost_column_1_0 <= 0;
+        slice2cost_column_1_1 <= 0;
+      else
+        slice2cost_column_0_0 <= slice2cost_pair_0_0 + as_number(slice2cost_negative_0_0) + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= slice2cost_pair_0_1 + as_number(slice2cost_negative_0_1) + slice2cost_single_0_1;
+        slice2cost_column_1_0 <= slice2cost_pair_0_0 + as_number(slice2cost_negative_0_0) + slice2cost_single_3_0;
+        slice2cost_column_1_1 <= slice2cost_pair_0_1 + as_number(slice2cost_negative_0_1) + slice2cost_single_3_1;
+      end if;
       -- slice2window
       if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -892,12 +1034,18 @@ begin
       -- slice2winner1
       slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
-        slice2window_sum_1_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
+      if slice2winner1_best_cost_1_0_is_less then
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_1;
+      else
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_0;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
@@ -909,350 +1057,818 @@ begin
       slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
       slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
-        as_number(slice2winner3_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 else
-        as_number(slice2winner3_best_index_1_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_map_column <= slice1_best_tag_map_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 then
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      else
+        slice2_best_index_0_0 <= as_number(slice2winner3_best_index_0_0);
+      end if;
+      if (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 then
+        slice2_best_index_1_0 <= slice1_best_index_1_0;
+      else
+        slice2_best_index_1_0 <= as_number(slice2winner3_best_index_1_0);
+      end if;
       -- map
       map_counter_column_is_equal := map_counter_column = 23;
       map_counter_column_all := slice2_best_tag_valid and slice2_best_tag_map_column;
       if map_counter_column_all then
-        map_counter_column <= 0 when map_counter_column_is_equal or slice2_best_tag_start_of_frame else
-          (map_counter_column + 1) mod 32;
+        if map_counter_column_is_equal or slice2_best_tag_start_of_frame then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 32;
+        end if;
       end if;
       map_counter_group_is_equal := map_counter_group = 5;
       map_counter_group_all := map_counter_column_is_equal and map_counter_group_is_equal;
-      map_counter_group_choice := 3 when map_counter_group_all else 0;
+      if map_counter_group_all then
+        map_counter_group_choice := 3;
+      else
+        map_counter_group_choice := 0;
+      end if;
       map_counter_group_any := (not ((map_counter_group / 4) = 1)) or (not (((map_counter_group / 2) mod 2) = 1)) or
         (not ((map_counter_group mod 2) = 1));
       map_counter_group_is_equal_2 := map_counter_group = 6;
-      map_counter_group_choice_2 := 1 when map_counter_next_frame and map_counter_group_is_equal_2 else
-        (map_counter_group + 1) mod 8;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when map_counter_column_is_equal and
-        map_counter_group_any and slice2_best_tag_valid and slice2_best_tag_map_column else map_counter_group;
-      map_counter_next_frame_choice := (map_counter_group /= 6) and map_counter_next_frame when
-        map_counter_column_is_equal and map_counter_group_any else map_counter_next_frame;
-      map_counter_next_frame_choice_2 := map_counter_group_all or (not slice2_best_tag_start_of_frame) when
-        map_counter_next_frame_choice else map_counter_column_is_equal and map_counter_group_is_equal and
-        slice2_best_tag_start_of_frame;
-      map_line_ended_choice := slice2_best_tag_map_column when slice2_best_tag_valid else map_line_ended;
+      if map_counter_next_frame and map_counter_group_is_equal_2 then
+        map_counter_group_choice_2 := 1;
+      else
+        map_counter_group_choice_2 := (map_counter_group + 1) mod 8;
+      end if;
+      if map_counter_column_is_equal and map_counter_group_any and slice2_best_tag_valid and slice2_best_tag_map_column
+        then
+        map_counter_group_choice_3 := map_counter_group_choice_2;
+      else
+        map_counter_group_choice_3 := map_counter_group;
+      end if;
+      if map_counter_column_is_equal and map_counter_group_any then
+        map_counter_next_frame_choice := (map_counter_group /= 6) and map_counter_next_frame;
+      else
+        map_counter_next_frame_choice := map_counter_next_frame;
+      end if;
+      if map_counter_next_frame_choice then
+        map_counter_next_frame_choice_2 := map_counter_group_all or (not slice2_best_tag_start_of_frame);
+      else
+        map_counter_next_frame_choice_2 := map_counter_column_is_equal and map_counter_group_is_equal and
+          slice2_best_tag_start_of_frame;
+      end if;
+      if slice2_best_tag_valid then
+        map_line_ended_choice := slice2_best_tag_map_column;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_0(16 downto 16)) = 1;
       map_of_column_0_b_below_a_value := ((map_column_1 / 2) mod 2) = 1;
       map_of_column_0_b_below_a_value_2 := ((other_1 / 2) mod 2) = 1;
       map_of_column_0_b_below_a_value_3 := ((map_column_1 / 4) mod 2) = 1;
       map_of_column_0_b_below_a_value_4 := ((other_1 / 4) mod 2) = 1;
-      map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value_3 and (not map_of_column_0_b_below_a_value_4)
-        and (not map_at_top) when (not map_of_column_0_b_below_a_value) and map_of_column_0_b_below_a_value_2 and (not
-        map_at_top) else map_of_column_0_b_below_a_value_3 or (not map_of_column_0_b_below_a_value_4) or map_at_top;
+      if (not map_of_column_0_b_below_a_value) and map_of_column_0_b_below_a_value_2 and (not map_at_top) then
+        map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value_3 and (not
+          map_of_column_0_b_below_a_value_4) and (not map_at_top);
+      else
+        map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value_3 or (not
+          map_of_column_0_b_below_a_value_4) or map_at_top;
+      end if;
       map_of_column_0_b_below_a_value_5 := ((map_column_1 / 8) mod 2) = 1;
       map_of_column_0_b_below_a_value_6 := ((other_1 / 8) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_5 or (not
-        map_of_column_0_b_below_a_value_6) or map_at_top when map_of_column_0_b_below_a_choice else
-        map_of_column_0_b_below_a_value_5 and (not map_of_column_0_b_below_a_value_6) and (not map_at_top);
+      if map_of_column_0_b_below_a_choice then
+        map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_5 or (not
+          map_of_column_0_b_below_a_value_6) or map_at_top;
+      else
+        map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_5 and (not
+          map_of_column_0_b_below_a_value_6) and (not map_at_top);
+      end if;
       map_of_column_0_c_below_a_value := ((map_column_2 / 2) mod 2) = 1;
-      map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value when map_at_top else
-        map_of_column_0_b_below_a_value_2;
-      map_of_column_0_c_below_a_choice_2 := map_of_column_0_b_below_a_value_3 when map_at_top else
-        map_of_column_0_b_below_a_value_4;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value;
+      else
+        map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value_2;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_2 := map_of_column_0_b_below_a_value_3;
+      else
+        map_of_column_0_c_below_a_choice_2 := map_of_column_0_b_below_a_value_4;
+      end if;
       map_of_column_0_c_below_a_value_2 := ((map_column_2 / 4) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_3 := (not map_of_column_0_c_below_a_choice_2) and
-        map_of_column_0_c_below_a_value_2 when (not map_of_column_0_c_below_a_value) and
-        map_of_column_0_c_below_a_choice else (not map_of_column_0_c_below_a_choice_2) or
-        map_of_column_0_c_below_a_value_2;
-      map_of_column_0_c_below_a_choice_4 := map_of_column_0_b_below_a_value_5 when map_at_top else
-        map_of_column_0_b_below_a_value_6;
+      if (not map_of_column_0_c_below_a_value) and map_of_column_0_c_below_a_choice then
+        map_of_column_0_c_below_a_choice_3 := (not map_of_column_0_c_below_a_choice_2) and
+          map_of_column_0_c_below_a_value_2;
+      else
+        map_of_column_0_c_below_a_choice_3 := (not map_of_column_0_c_below_a_choice_2) or
+          map_of_column_0_c_below_a_value_2;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_4 := map_of_column_0_b_below_a_value_5;
+      else
+        map_of_column_0_c_below_a_choice_4 := map_of_column_0_b_below_a_value_6;
+      end if;
       map_of_column_0_c_below_a_value_3 := ((map_column_2 / 8) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_5 := (not map_of_column_0_c_below_a_choice_4) or
-        map_of_column_0_c_below_a_value_3 when map_of_column_0_c_below_a_choice_3 else (not
-        map_of_column_0_c_below_a_choice_4) and map_of_column_0_c_below_a_value_3;
-      map_of_column_0_c_below_a_choice_6 := (map_column_1 / 16) = 1 when map_at_top else (other_1 / 16) = 1;
-      map_of_column_0_c_below_b_choice := not map_of_column_0_b_below_a_value_3 when map_of_column_0_c_below_a_value
-        else ((map_column_1 / 2) mod 4) = 0;
-      map_of_column_0_c_below_b_choice_2 := map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value_3)
-        or (not map_of_column_0_b_below_a_value) when map_of_column_0_c_below_a_value_2 else
-        map_of_column_0_c_below_b_choice;
-      map_of_column_0_c_below_b_choice_3 := (not map_of_column_0_c_below_a_value_3) and
-        map_of_column_0_b_below_a_value_5 when map_of_column_0_c_below_b_choice_2 else (not
-        map_of_column_0_c_below_a_value_3) or map_of_column_0_b_below_a_value_5;
+      if map_of_column_0_c_below_a_choice_3 then
+        map_of_column_0_c_below_a_choice_5 := (not map_of_column_0_c_below_a_choice_4) or
+          map_of_column_0_c_below_a_value_3;
+      else
+        map_of_column_0_c_below_a_choice_5 := (not map_of_column_0_c_below_a_choice_4) and
+          map_of_column_0_c_below_a_value_3;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_6 := (map_column_1 / 16) = 1;
+      else
+        map_of_column_0_c_below_a_choice_6 := (other_1 / 16) = 1;
+      end if;
+      if map_of_column_0_c_below_a_value then
+        map_of_column_0_c_below_b_choice := not map_of_column_0_b_below_a_value_3;
+      else
+        map_of_column_0_c_below_b_choice := ((map_column_1 / 2) mod 4) = 0;
+      end if;
+      if map_of_column_0_c_below_a_value_2 then
+        map_of_column_0_c_below_b_choice_2 := map_of_column_0_c_below_a_value or (not
+          map_of_column_0_b_below_a_value_3) or (not map_of_column_0_b_below_a_value);
+      else
+        map_of_column_0_c_below_b_choice_2 := map_of_column_0_c_below_b_choice;
+      end if;
+      if map_of_column_0_c_below_b_choice_2 then
+        map_of_column_0_c_below_b_choice_3 := (not map_of_column_0_c_below_a_value_3) and
+          map_of_column_0_b_below_a_value_5;
+      else
+        map_of_column_0_c_below_b_choice_3 := (not map_of_column_0_c_below_a_value_3) or
+          map_of_column_0_b_below_a_value_5;
+      end if;
       map_of_column_1_c_below_a_value := ((map_column_3 / 4) mod 2) = 1;
-      map_of_column_1_c_below_a_choice := map_of_column_0_c_below_a_value_2 when map_at_bottom else
-        map_of_column_1_c_below_a_value;
+      if map_at_bottom then
+        map_of_column_1_c_below_a_choice := map_of_column_0_c_below_a_value_2;
+      else
+        map_of_column_1_c_below_a_choice := map_of_column_1_c_below_a_value;
+      end if;
       map_of_column_1_c_below_a_value_2 := ((map_column_3 / 2) mod 2) = 1;
-      map_of_column_1_c_below_a_choice_2 := (not map_of_column_0_c_below_a_value) and map_of_column_0_b_below_a_value
-        when map_at_bottom else map_of_column_0_b_below_a_value;
-      map_of_column_1_c_below_a_choice_3 := map_at_bottom and (not map_of_column_0_c_below_a_value) and
-        map_of_column_0_b_below_a_value when map_of_column_1_c_below_a_value_2 else map_of_column_1_c_below_a_choice_2;
-      map_of_column_1_c_below_a_choice_4 := map_of_column_1_c_below_a_choice_3 and map_of_column_0_b_below_a_value_3
-        when map_of_column_1_c_below_a_choice else map_of_column_1_c_below_a_choice_3 or
-        map_of_column_0_b_below_a_value_3;
-      map_of_column_1_c_below_a_choice_5 := map_of_column_0_c_below_a_value_3 when map_at_bottom else (map_column_3 /
-        8) = 1;
-      map_of_column_1_c_below_a_choice_6 := (not map_of_column_1_c_below_a_choice_5) or
-        map_of_column_0_b_below_a_value_5 when map_of_column_1_c_below_a_choice_4 else (not
-        map_of_column_1_c_below_a_choice_5) and map_of_column_0_b_below_a_value_5;
-      map_of_column_1_c_below_b_choice := map_of_column_1_c_below_a_value and (not map_at_bottom) and (not
-        map_of_column_0_c_below_a_value_2) when (not map_of_column_1_c_below_a_value_2) and (not map_at_bottom) and
-        map_of_column_0_c_below_a_value else map_of_column_1_c_below_a_value or map_at_bottom or (not
-        map_of_column_0_c_below_a_value_2);
-      map_of_column_1_c_below_b_choice_2 := ((map_column_3 / 8) = 1) or map_at_bottom or (not
-        map_of_column_0_c_below_a_value_3) when map_of_column_1_c_below_b_choice else ((map_column_3 / 8) = 1) and (not
-        map_at_bottom) and (not map_of_column_0_c_below_a_value_3);
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
-      map_sorted_low_1_choice := map_of_column_1_c when map_of_column_1_c_below_b else map_of_column_0_c;
-      map_sorted_low_1_choice_2 := map_of_column_1_c when map_of_column_1_c_below_a else map_of_column_0_b;
-      map_sorted_middle_0_choice := map_of_column_0_b when map_of_column_0_c_below_b else map_sorted_low_0_choice_2;
-      map_sorted_middle_0_choice_2 := map_of_column_0_a when map_of_column_0_c_below_a else map_sorted_low_0_choice;
-      map_sorted_middle_1_choice := map_of_column_0_c when map_of_column_1_c_below_b else map_sorted_low_1_choice_2;
-      map_sorted_middle_1_choice_2 := map_of_column_0_b when map_of_column_1_c_below_a else map_sorted_low_1_choice;
-      map_sorted_high_0_choice := map_of_column_0_a when map_of_column_0_c_below_a else map_of_column_0_c;
-      map_sorted_high_0_choice_2 := map_of_column_0_b when map_of_column_0_c_below_b else map_of_column_0_c;
-      map_sorted_high_1_choice := map_of_column_0_b when map_of_column_1_c_below_a else map_of_column_1_c;
-      map_sorted_high_1_choice_2 := map_of_column_0_c when map_of_column_1_c_below_b else map_of_column_1_c;
+      if map_at_bottom then
+        map_of_column_1_c_below_a_choice_2 := (not map_of_column_0_c_below_a_value) and map_of_column_0_b_below_a_value;
+      else
+        map_of_column_1_c_below_a_choice_2 := map_of_column_0_b_below_a_value;
+      end if;
+      if map_of_column_1_c_below_a_value_2 then
+        map_of_column_1_c_below_a_choice_3 := map_at_bottom and (not map_of_column_0_c_below_a_value) and
+          map_of_column_0_b_below_a_value;
+      else
+        map_of_column_1_c_below_a_choice_3 := map_of_column_1_c_below_a_choice_2;
+      end if;
+      if map_of_column_1_c_below_a_choice then
+        map_of_column_1_c_below_a_choice_4 := map_of_column_1_c_below_a_choice_3 and map_of_column_0_b_below_a_value_3;
+      else
+        map_of_column_1_c_below_a_choice_4 := map_of_column_1_c_below_a_choice_3 or map_of_column_0_b_below_a_value_3;
+      end if;
+      if map_at_bottom then
+        map_of_column_1_c_below_a_choice_5 := map_of_column_0_c_below_a_value_3;
+      else
+        map_of_column_1_c_below_a_choice_5 := (map_column_3 / 8) = 1;
+      end if;
+      if map_of_column_1_c_below_a_choice_4 then
+        map_of_column_1_c_below_a_choice_6 := (not map_of_column_1_c_below_a_choice_5) or
+          map_of_column_0_b_below_a_value_5;
+      else
+        map_of_column_1_c_below_a_choice_6 := (not map_of_column_1_c_below_a_choice_5) and
+          map_of_column_0_b_below_a_value_5;
+      end if;
+      if (not map_of_column_1_c_below_a_value_2) and (not map_at_bottom) and map_of_column_0_c_below_a_value then
+        map_of_column_1_c_below_b_choice := map_of_column_1_c_below_a_value and (not map_at_bottom) and (not
+          map_of_column_0_c_below_a_value_2);
+      else
+        map_of_column_1_c_below_b_choice := map_of_column_1_c_below_a_value or map_at_bottom or (not
+          map_of_column_0_c_below_a_value_2);
+      end if;
+      if map_of_column_1_c_below_b_choice then
+        map_of_column_1_c_below_b_choice_2 := ((map_column_3 / 8) = 1) or map_at_bottom or (not
+          map_of_column_0_c_below_a_value_3);
+      else
+        map_of_column_1_c_below_b_choice_2 := ((map_column_3 / 8) = 1) and (not map_at_bottom) and (not
+          map_of_column_0_c_below_a_value_3);
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
+      if map_of_column_1_c_below_b then
+        map_sorted_low_1_choice := map_of_column_1_c;
+      else
+        map_sorted_low_1_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_1_c_below_a then
+        map_sorted_low_1_choice_2 := map_of_column_1_c;
+      else
+        map_sorted_low_1_choice_2 := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_middle_0_choice := map_of_column_0_b;
+      else
+        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_middle_0_choice_2 := map_of_column_0_a;
+      else
+        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
+      end if;
+      if map_of_column_1_c_below_b then
+        map_sorted_middle_1_choice := map_of_column_0_c;
+      else
+        map_sorted_middle_1_choice := map_sorted_low_1_choice_2;
+      end if;
+      if map_of_column_1_c_below_a then
+        map_sorted_middle_1_choice_2 := map_of_column_0_b;
+      else
+        map_sorted_middle_1_choice_2 := map_sorted_low_1_choice;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_high_0_choice := map_of_column_0_a;
+      else
+        map_sorted_high_0_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_high_0_choice_2 := map_of_column_0_b;
+      else
+        map_sorted_high_0_choice_2 := map_of_column_0_c;
+      end if;
+      if map_of_column_1_c_below_a then
+        map_sorted_high_1_choice := map_of_column_0_b;
+      else
+        map_sorted_high_1_choice := map_of_column_1_c;
+      end if;
+      if map_of_column_1_c_below_b then
+        map_sorted_high_1_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_high_1_choice_2 := map_of_column_1_c;
+      end if;
       map_passed_1_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
       map_passed_1_0_any := map_sorted_arrives or map_sorted_behind;
       map_window_complete_all := map_sorted_arrives and (map_sorted_column = 0);
       map_of_low_0_b_below_a_value := ((map_low_0_0 / 2) mod 2) = 1;
-      map_of_low_0_b_below_a_choice := (not (((map_low_1_0 / 2) mod 2) = 1)) or (not ((map_low_1_0 mod 2) = 1)) when
-        (map_low_0_0 mod 2) = 1 else not (((map_low_1_0 / 2) mod 2) = 1);
+      if (map_low_0_0 mod 2) = 1 then
+        map_of_low_0_b_below_a_choice := (not (((map_low_1_0 / 2) mod 2) = 1)) or (not ((map_low_1_0 mod 2) = 1));
+      else
+        map_of_low_0_b_below_a_choice := not (((map_low_1_0 / 2) mod 2) = 1);
+      end if;
       map_of_low_0_b_below_a_is_equal := (map_low_1_0 mod 4) = 0;
-      map_of_low_0_b_below_a_choice_2 := map_of_low_0_b_below_a_choice when map_of_low_0_b_below_a_value else
-        ((map_low_0_0 mod 2) = 1) and map_of_low_0_b_below_a_is_equal;
+      if map_of_low_0_b_below_a_value then
+        map_of_low_0_b_below_a_choice_2 := map_of_low_0_b_below_a_choice;
+      else
+        map_of_low_0_b_below_a_choice_2 := ((map_low_0_0 mod 2) = 1) and map_of_low_0_b_below_a_is_equal;
+      end if;
       map_of_low_0_b_below_a_value_2 := ((map_low_0_0 / 4) mod 2) = 1;
       map_of_low_0_b_below_a_value_3 := ((map_low_1_0 / 4) mod 2) = 1;
-      map_of_low_0_b_below_a_choice_3 := (not map_of_low_0_b_below_a_value_2) and map_of_low_0_b_below_a_value_3 when
-        map_of_low_0_b_below_a_choice_2 else (not map_of_low_0_b_below_a_value_2) or map_of_low_0_b_below_a_value_3;
+      if map_of_low_0_b_below_a_choice_2 then
+        map_of_low_0_b_below_a_choice_3 := (not map_of_low_0_b_below_a_value_2) and map_of_low_0_b_below_a_value_3;
+      else
+        map_of_low_0_b_below_a_choice_3 := (not map_of_low_0_b_below_a_value_2) or map_of_low_0_b_below_a_value_3;
+      end if;
       map_of_low_0_c_below_a_value := ((map_low_2_0 / 2) mod 2) = 1;
-      map_of_low_0_c_below_a_choice := not map_of_low_0_b_below_a_value when (map_low_2_0 mod 2) = 1 else (map_low_0_0
-        mod 4) = 0;
-      map_of_low_0_c_below_a_choice_2 := ((map_low_2_0 mod 2) = 1) or (not map_of_low_0_b_below_a_value) or (not
-        ((map_low_0_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_a_choice;
-      map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_2 when
-        map_of_low_0_c_below_a_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_2;
-      map_of_low_0_c_below_b_choice := not (((map_low_1_0 / 2) mod 2) = 1) when (map_low_2_0 mod 2) = 1 else
-        map_of_low_0_b_below_a_is_equal;
-      map_of_low_0_c_below_b_choice_2 := ((map_low_2_0 mod 2) = 1) or (not (((map_low_1_0 / 2) mod 2) = 1)) or (not
-        ((map_low_1_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_b_choice;
-      map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_3 when
-        map_of_low_0_c_below_b_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_3;
+      if (map_low_2_0 mod 2) = 1 then
+        map_of_low_0_c_below_a_choice := not map_of_low_0_b_below_a_value;
+      else
+        map_of_low_0_c_below_a_choice := (map_low_0_0 mod 4) = 0;
+      end if;
+      if map_of_low_0_c_below_a_value then
+        map_of_low_0_c_below_a_choice_2 := ((map_low_2_0 mod 2) = 1) or (not map_of_low_0_b_below_a_value) or (not
+          ((map_low_0_0 mod 2) = 1));
+      else
+        map_of_low_0_c_below_a_choice_2 := map_of_low_0_c_below_a_choice;
+      end if;
+      if map_of_low_0_c_below_a_choice_2 then
+        map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_2;
+      else
+        map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_2;
+      end if;
+      if (map_low_2_0 mod 2) = 1 then
+        map_of_low_0_c_below_b_choice := not (((map_low_1_0 / 2) mod 2) = 1);
+      else
+        map_of_low_0_c_below_b_choice := map_of_low_0_b_below_a_is_equal;
+      end if;
+      if map_of_low_0_c_below_a_value then
+        map_of_low_0_c_below_b_choice_2 := ((map_low_2_0 mod 2) = 1) or (not (((map_low_1_0 / 2) mod 2) = 1)) or (not
+          ((map_low_1_0 mod 2) = 1));
+      else
+        map_of_low_0_c_below_b_choice_2 := map_of_low_0_c_below_b_choice;
+      end if;
+      if map_of_low_0_c_below_b_choice_2 then
+        map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_3;
+      else
+        map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_3;
+      end if;
       map_of_low_1_b_below_a_value := ((map_low_0_1 / 2) mod 2) = 1;
-      map_of_low_1_b_below_a_choice := (not (((map_low_1_1 / 2) mod 2) = 1)) or (not ((map_low_1_1 mod 2) = 1)) when
-        (map_low_0_1 mod 2) = 1 else not (((map_low_1_1 / 2) mod 2) = 1);
+      if (map_low_0_1 mod 2) = 1 then
+        map_of_low_1_b_below_a_choice := (not (((map_low_1_1 / 2) mod 2) = 1)) or (not ((map_low_1_1 mod 2) = 1));
+      else
+        map_of_low_1_b_below_a_choice := not (((map_low_1_1 / 2) mod 2) = 1);
+      end if;
       map_of_low_1_b_below_a_is_equal := (map_low_1_1 mod 4) = 0;
-      map_of_low_1_b_below_a_choice_2 := map_of_low_1_b_below_a_choice when map_of_low_1_b_below_a_value else
-        ((map_low_0_1 mod 2) = 1) and map_of_low_1_b_below_a_is_equal;
+      if map_of_low_1_b_below_a_value then
+        map_of_low_1_b_below_a_choice_2 := map_of_low_1_b_below_a_choice;
+      else
+        map_of_low_1_b_below_a_choice_2 := ((map_low_0_1 mod 2) = 1) and map_of_low_1_b_below_a_is_equal;
+      end if;
       map_of_low_1_b_below_a_value_2 := ((map_low_0_1 / 4) mod 2) = 1;
       map_of_low_1_b_below_a_value_3 := ((map_low_1_1 / 4) mod 2) = 1;
-      map_of_low_1_b_below_a_choice_3 := (not map_of_low_1_b_below_a_value_2) and map_of_low_1_b_below_a_value_3 when
-        map_of_low_1_b_below_a_choice_2 else (not map_of_low_1_b_below_a_value_2) or map_of_low_1_b_below_a_value_3;
+      if map_of_low_1_b_below_a_choice_2 then
+        map_of_low_1_b_below_a_choice_3 := (not map_of_low_1_b_below_a_value_2) and map_of_low_1_b_below_a_value_3;
+      else
+        map_of_low_1_b_below_a_choice_3 := (not map_of_low_1_b_below_a_value_2) or map_of_low_1_b_below_a_value_3;
+      end if;
       map_of_low_1_c_below_a_value := ((map_low_2_1 / 2) mod 2) = 1;
-      map_of_low_1_c_below_a_choice := not map_of_low_1_b_below_a_value when (map_low_2_1 mod 2) = 1 else (map_low_0_1
-        mod 4) = 0;
-      map_of_low_1_c_below_a_choice_2 := ((map_low_2_1 mod 2) = 1) or (not map_of_low_1_b_below_a_value) or (not
-        ((map_low_0_1 mod 2) = 1)) when map_of_low_1_c_below_a_value else map_of_low_1_c_below_a_choice;
-      map_of_low_1_c_below_a_choice_3 := (not (((map_low_2_1 / 4) mod 2) = 1)) and map_of_low_1_b_below_a_value_2 when
-        map_of_low_1_c_below_a_choice_2 else (not (((map_low_2_1 / 4) mod 2) = 1)) or map_of_low_1_b_below_a_value_2;
-      map_of_low_1_c_below_b_choice := not (((map_low_1_1 / 2) mod 2) = 1) when (map_low_2_1 mod 2) = 1 else
-        map_of_low_1_b_below_a_is_equal;
-      map_of_low_1_c_below_b_choice_2 := ((map_low_2_1 mod 2) = 1) or (not (((map_low_1_1 / 2) mod 2) = 1)) or (not
-        ((map_low_1_1 mod 2) = 1)) when map_of_low_1_c_below_a_value else map_of_low_1_c_below_b_choice;
-      map_of_low_1_c_below_b_choice_3 := (not (((map_low_2_1 / 4) mod 2) = 1)) and map_of_low_1_b_below_a_value_3 when
-        map_of_low_1_c_below_b_choice_2 else (not (((map_low_2_1 / 4) mod 2) = 1)) or map_of_low_1_b_below_a_value_3;
+      if (map_low_2_1 mod 2) = 1 then
+        map_of_low_1_c_below_a_choice := not map_of_low_1_b_below_a_value;
+      else
+        map_of_low_1_c_below_a_choice := (map_low_0_1 mod 4) = 0;
+      end if;
+      if map_of_low_1_c_below_a_value then
+        map_of_low_1_c_below_a_choice_2 := ((map_low_2_1 mod 2) = 1) or (not map_of_low_1_b_below_a_value) or (not
+          ((map_low_0_1 mod 2) = 1));
+      else
+        map_of_low_1_c_below_a_choice_2 := map_of_low_1_c_below_a_choice;
+      end if;
+      if map_of_low_1_c_below_a_choice_2 then
+        map_of_low_1_c_below_a_choice_3 := (not (((map_low_2_1 / 4) mod 2) = 1)) and map_of_low_1_b_below_a_value_2;
+      else
+        map_of_low_1_c_below_a_choice_3 := (not (((map_low_2_1 / 4) mod 2) = 1)) or map_of_low_1_b_below_a_value_2;
+      end if;
+      if (map_low_2_1 mod 2) = 1 then
+        map_of_low_1_c_below_b_choice := not (((map_low_1_1 / 2) mod 2) = 1);
+      else
+        map_of_low_1_c_below_b_choice := map_of_low_1_b_below_a_is_equal;
+      end if;
+      if map_of_low_1_c_below_a_value then
+        map_of_low_1_c_below_b_choice_2 := ((map_low_2_1 mod 2) = 1) or (not (((map_low_1_1 / 2) mod 2) = 1)) or (not
+          ((map_low_1_1 mod 2) = 1));
+      else
+        map_of_low_1_c_below_b_choice_2 := map_of_low_1_c_below_b_choice;
+      end if;
+      if map_of_low_1_c_below_b_choice_2 then
+        map_of_low_1_c_below_b_choice_3 := (not (((map_low_2_1 / 4) mod 2) = 1)) and map_of_low_1_b_below_a_value_3;
+      else
+        map_of_low_1_c_below_b_choice_3 := (not (((map_low_2_1 / 4) mod 2) = 1)) or map_of_low_1_b_below_a_value_3;
+      end if;
       map_of_middle_0_b_below_a_value := ((map_middle_0_0 / 2) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice := (not (((map_middle_1_0 / 2) mod 2) = 1)) or (not ((map_middle_1_0 mod 2) =
-        1)) when (map_middle_0_0 mod 2) = 1 else not (((map_middle_1_0 / 2) mod 2) = 1);
+      if (map_middle_0_0 mod 2) = 1 then
+        map_of_middle_0_b_below_a_choice := (not (((map_middle_1_0 / 2) mod 2) = 1)) or (not ((map_middle_1_0 mod 2) =
+          1));
+      else
+        map_of_middle_0_b_below_a_choice := not (((map_middle_1_0 / 2) mod 2) = 1);
+      end if;
       map_of_middle_0_b_below_a_is_equal := (map_middle_1_0 mod 4) = 0;
-      map_of_middle_0_b_below_a_choice_2 := map_of_middle_0_b_below_a_choice when map_of_middle_0_b_below_a_value else
-        ((map_middle_0_0 mod 2) = 1) and map_of_middle_0_b_below_a_is_equal;
+      if map_of_middle_0_b_below_a_value then
+        map_of_middle_0_b_below_a_choice_2 := map_of_middle_0_b_below_a_choice;
+      else
+        map_of_middle_0_b_below_a_choice_2 := ((map_middle_0_0 mod 2) = 1) and map_of_middle_0_b_below_a_is_equal;
+      end if;
       map_of_middle_0_b_below_a_value_2 := ((map_middle_0_0 / 4) mod 2) = 1;
       map_of_middle_0_b_below_a_value_3 := ((map_middle_1_0 / 4) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) and
-        map_of_middle_0_b_below_a_value_3 when map_of_middle_0_b_below_a_choice_2 else (not
-        map_of_middle_0_b_below_a_value_2) or map_of_middle_0_b_below_a_value_3;
+      if map_of_middle_0_b_below_a_choice_2 then
+        map_of_middle_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) and
+          map_of_middle_0_b_below_a_value_3;
+      else
+        map_of_middle_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) or
+          map_of_middle_0_b_below_a_value_3;
+      end if;
       map_of_middle_0_c_below_a_value := ((map_middle_2_0 / 2) mod 2) = 1;
-      map_of_middle_0_c_below_a_choice := not map_of_middle_0_b_below_a_value when (map_middle_2_0 mod 2) = 1 else
-        (map_middle_0_0 mod 4) = 0;
-      map_of_middle_0_c_below_a_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not map_of_middle_0_b_below_a_value) or
-        (not ((map_middle_0_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_a_choice;
-      map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
-        map_of_middle_0_b_below_a_value_2 when map_of_middle_0_c_below_a_choice_2 else (not (((map_middle_2_0 / 4) mod
-        2) = 1)) or map_of_middle_0_b_below_a_value_2;
-      map_of_middle_0_c_below_b_choice := not (((map_middle_1_0 / 2) mod 2) = 1) when (map_middle_2_0 mod 2) = 1 else
-        map_of_middle_0_b_below_a_is_equal;
-      map_of_middle_0_c_below_b_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not (((map_middle_1_0 / 2) mod 2) = 1)) or
-        (not ((map_middle_1_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_b_choice;
-      map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
-        map_of_middle_0_b_below_a_value_3 when map_of_middle_0_c_below_b_choice_2 else (not (((map_middle_2_0 / 4) mod
-        2) = 1)) or map_of_middle_0_b_below_a_value_3;
+      if (map_middle_2_0 mod 2) = 1 then
+        map_of_middle_0_c_below_a_choice := not map_of_middle_0_b_below_a_value;
+      else
+        map_of_middle_0_c_below_a_choice := (map_middle_0_0 mod 4) = 0;
+      end if;
+      if map_of_middle_0_c_below_a_value then
+        map_of_middle_0_c_below_a_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not map_of_middle_0_b_below_a_value) or
+          (not ((map_middle_0_0 mod 2) = 1));
+      else
+        map_of_middle_0_c_below_a_choice_2 := map_of_middle_0_c_below_a_choice;
+      end if;
+      if map_of_middle_0_c_below_a_choice_2 then
+        map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_2;
+      else
+        map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_2;
+      end if;
+      if (map_middle_2_0 mod 2) = 1 then
+        map_of_middle_0_c_below_b_choice := not (((map_middle_1_0 / 2) mod 2) = 1);
+      else
+        map_of_middle_0_c_below_b_choice := map_of_middle_0_b_below_a_is_equal;
+      end if;
+      if map_of_middle_0_c_below_a_value then
+        map_of_middle_0_c_below_b_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not (((map_middle_1_0 / 2) mod 2) = 1))
+          or (not ((map_middle_1_0 mod 2) = 1));
+      else
+        map_of_middle_0_c_below_b_choice_2 := map_of_middle_0_c_below_b_choice;
+      end if;
+      if map_of_middle_0_c_below_b_choice_2 then
+        map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_3;
+      else
+        map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_3;
+      end if;
       map_of_middle_1_b_below_a_value := ((map_middle_0_1 / 2) mod 2) = 1;
-      map_of_middle_1_b_below_a_choice := (not (((map_middle_1_1 / 2) mod 2) = 1)) or (not ((map_middle_1_1 mod 2) =
-        1)) when (map_middle_0_1 mod 2) = 1 else not (((map_middle_1_1 / 2) mod 2) = 1);
+      if (map_middle_0_1 mod 2) = 1 then
+        map_of_middle_1_b_below_a_choice := (not (((map_middle_1_1 / 2) mod 2) = 1)) or (not ((map_middle_1_1 mod 2) =
+          1));
+      else
+        map_of_middle_1_b_below_a_choice := not (((map_middle_1_1 / 2) mod 2) = 1);
+      end if;
       map_of_middle_1_b_below_a_is_equal := (map_middle_1_1 mod 4) = 0;
-      map_of_middle_1_b_below_a_choice_2 := map_of_middle_1_b_below_a_choice when map_of_middle_1_b_below_a_value else
-        ((map_middle_0_1 mod 2) = 1) and map_of_middle_1_b_below_a_is_equal;
+      if map_of_middle_1_b_below_a_value then
+        map_of_middle_1_b_below_a_choice_2 := map_of_middle_1_b_below_a_choice;
+      else
+        map_of_middle_1_b_below_a_choice_2 := ((map_middle_0_1 mod 2) = 1) and map_of_middle_1_b_below_a_is_equal;
+      end if;
       map_of_middle_1_b_below_a_value_2 := ((map_middle_0_1 / 4) mod 2) = 1;
       map_of_middle_1_b_below_a_value_3 := ((map_middle_1_1 / 4) mod 2) = 1;
-      map_of_middle_1_b_below_a_choice_3 := (not map_of_middle_1_b_below_a_value_2) and
-        map_of_middle_1_b_below_a_value_3 when map_of_middle_1_b_below_a_choice_2 else (not
-        map_of_middle_1_b_below_a_value_2) or map_of_middle_1_b_below_a_value_3;
+      if map_of_middle_1_b_below_a_choice_2 then
+        map_of_middle_1_b_below_a_choice_3 := (not map_of_middle_1_b_below_a_value_2) and
+          map_of_middle_1_b_below_a_value_3;
+      else
+        map_of_middle_1_b_below_a_choice_3 := (not map_of_middle_1_b_below_a_value_2) or
+          map_of_middle_1_b_below_a_value_3;
+      end if;
       map_of_middle_1_c_below_a_value := ((map_middle_2_1 / 2) mod 2) = 1;
-      map_of_middle_1_c_below_a_choice := not map_of_middle_1_b_below_a_value when (map_middle_2_1 mod 2) = 1 else
-        (map_middle_0_1 mod 4) = 0;
-      map_of_middle_1_c_below_a_choice_2 := ((map_middle_2_1 mod 2) = 1) or (not map_of_middle_1_b_below_a_value) or
-        (not ((map_middle_0_1 mod 2) = 1)) when map_of_middle_1_c_below_a_value else map_of_middle_1_c_below_a_choice;
-      map_of_middle_1_c_below_a_choice_3 := (not (((map_middle_2_1 / 4) mod 2) = 1)) and
-        map_of_middle_1_b_below_a_value_2 when map_of_middle_1_c_below_a_choice_2 else (not (((map_middle_2_1 / 4) mod
-        2) = 1)) or map_of_middle_1_b_below_a_value_2;
-      map_of_middle_1_c_below_b_choice := not (((map_middle_1_1 / 2) mod 2) = 1) when (map_middle_2_1 mod 2) = 1 else
-        map_of_middle_1_b_below_a_is_equal;
-      map_of_middle_1_c_below_b_choice_2 := ((map_middle_2_1 mod 2) = 1) or (not (((map_middle_1_1 / 2) mod 2) = 1)) or
-        (not ((map_middle_1_1 mod 2) = 1)) when map_of_middle_1_c_below_a_value else map_of_middle_1_c_below_b_choice;
-      map_of_middle_1_c_below_b_choice_3 := (not (((map_middle_2_1 / 4) mod 2) = 1)) and
-        map_of_middle_1_b_below_a_value_3 when map_of_middle_1_c_below_b_choice_2 else (not (((map_middle_2_1 / 4) mod
-        2) = 1)) or map_of_middle_1_b_below_a_value_3;
+      if (map_middle_2_1 mod 2) = 1 then
+        map_of_middle_1_c_below_a_choice := not map_of_middle_1_b_below_a_value;
+      else
+        map_of_middle_1_c_below_a_choice := (map_middle_0_1 mod 4) = 0;
+      end if;
+      if map_of_middle_1_c_below_a_value then
+        map_of_middle_1_c_below_a_choice_2 := ((map_middle_2_1 mod 2) = 1) or (not map_of_middle_1_b_below_a_value) or
+          (not ((map_middle_0_1 mod 2) = 1));
+      else
+        map_of_middle_1_c_below_a_choice_2 := map_of_middle_1_c_below_a_choice;
+      end if;
+      if map_of_middle_1_c_below_a_choice_2 then
+        map_of_middle_1_c_below_a_choice_3 := (not (((map_middle_2_1 / 4) mod 2) = 1)) and
+          map_of_middle_1_b_below_a_value_2;
+      else
+        map_of_middle_1_c_below_a_choice_3 := (not (((map_middle_2_1 / 4) mod 2) = 1)) or
+          map_of_middle_1_b_below_a_value_2;
+      end if;
+      if (map_middle_2_1 mod 2) = 1 then
+        map_of_middle_1_c_below_b_choice := not (((map_middle_1_1 / 2) mod 2) = 1);
+      else
+        map_of_middle_1_c_below_b_choice := map_of_middle_1_b_below_a_is_equal;
+      end if;
+      if map_of_middle_1_c_below_a_value then
+        map_of_middle_1_c_below_b_choice_2 := ((map_middle_2_1 mod 2) = 1) or (not (((map_middle_1_1 / 2) mod 2) = 1))
+          or (not ((map_middle_1_1 mod 2) = 1));
+      else
+        map_of_middle_1_c_below_b_choice_2 := map_of_middle_1_c_below_b_choice;
+      end if;
+      if map_of_middle_1_c_below_b_choice_2 then
+        map_of_middle_1_c_below_b_choice_3 := (not (((map_middle_2_1 / 4) mod 2) = 1)) and
+          map_of_middle_1_b_below_a_value_3;
+      else
+        map_of_middle_1_c_below_b_choice_3 := (not (((map_middle_2_1 / 4) mod 2) = 1)) or
+          map_of_middle_1_b_below_a_value_3;
+      end if;
       map_of_high_0_b_below_a_value := ((map_high_0_0 / 2) mod 2) = 1;
-      map_of_high_0_b_below_a_choice := (not (((map_high_1_0 / 2) mod 2) = 1)) or (not ((map_high_1_0 mod 2) = 1)) when
-        (map_high_0_0 mod 2) = 1 else not (((map_high_1_0 / 2) mod 2) = 1);
+      if (map_high_0_0 mod 2) = 1 then
+        map_of_high_0_b_below_a_choice := (not (((map_high_1_0 / 2) mod 2) = 1)) or (not ((map_high_1_0 mod 2) = 1));
+      else
+        map_of_high_0_b_below_a_choice := not (((map_high_1_0 / 2) mod 2) = 1);
+      end if;
       map_of_high_0_b_below_a_is_equal := (map_high_1_0 mod 4) = 0;
-      map_of_high_0_b_below_a_choice_2 := map_of_high_0_b_below_a_choice when map_of_high_0_b_below_a_value else
-        ((map_high_0_0 mod 2) = 1) and map_of_high_0_b_below_a_is_equal;
+      if map_of_high_0_b_below_a_value then
+        map_of_high_0_b_below_a_choice_2 := map_of_high_0_b_below_a_choice;
+      else
+        map_of_high_0_b_below_a_choice_2 := ((map_high_0_0 mod 2) = 1) and map_of_high_0_b_below_a_is_equal;
+      end if;
       map_of_high_0_b_below_a_value_2 := ((map_high_0_0 / 4) mod 2) = 1;
       map_of_high_0_b_below_a_value_3 := ((map_high_1_0 / 4) mod 2) = 1;
-      map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) and map_of_high_0_b_below_a_value_3
-        when map_of_high_0_b_below_a_choice_2 else (not map_of_high_0_b_below_a_value_2) or
-        map_of_high_0_b_below_a_value_3;
+      if map_of_high_0_b_below_a_choice_2 then
+        map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) and map_of_high_0_b_below_a_value_3;
+      else
+        map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) or map_of_high_0_b_below_a_value_3;
+      end if;
       map_of_high_0_c_below_a_value := ((map_high_2_0 / 2) mod 2) = 1;
-      map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value when (map_high_2_0 mod 2) = 1 else
-        (map_high_0_0 mod 4) = 0;
-      map_of_high_0_c_below_a_choice_2 := ((map_high_2_0 mod 2) = 1) or (not map_of_high_0_b_below_a_value) or (not
-        ((map_high_0_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_a_choice;
-      map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_2
-        when map_of_high_0_c_below_a_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
-        map_of_high_0_b_below_a_value_2;
-      map_of_high_0_c_below_b_choice := not (((map_high_1_0 / 2) mod 2) = 1) when (map_high_2_0 mod 2) = 1 else
-        map_of_high_0_b_below_a_is_equal;
-      map_of_high_0_c_below_b_choice_2 := ((map_high_2_0 mod 2) = 1) or (not (((map_high_1_0 / 2) mod 2) = 1)) or (not
-        ((map_high_1_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_b_choice;
-      map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_3
-        when map_of_high_0_c_below_b_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
-        map_of_high_0_b_below_a_value_3;
+      if (map_high_2_0 mod 2) = 1 then
+        map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value;
+      else
+        map_of_high_0_c_below_a_choice := (map_high_0_0 mod 4) = 0;
+      end if;
+      if map_of_high_0_c_below_a_value then
+        map_of_high_0_c_below_a_choice_2 := ((map_high_2_0 mod 2) = 1) or (not map_of_high_0_b_below_a_value) or (not
+          ((map_high_0_0 mod 2) = 1));
+      else
+        map_of_high_0_c_below_a_choice_2 := map_of_high_0_c_below_a_choice;
+      end if;
+      if map_of_high_0_c_below_a_choice_2 then
+        map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_2;
+      else
+        map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) or map_of_high_0_b_below_a_value_2;
+      end if;
+      if (map_high_2_0 mod 2) = 1 then
+        map_of_high_0_c_below_b_choice := not (((map_high_1_0 / 2) mod 2) = 1);
+      else
+        map_of_high_0_c_below_b_choice := map_of_high_0_b_below_a_is_equal;
+      end if;
+      if map_of_high_0_c_below_a_value then
+        map_of_high_0_c_below_b_choice_2 := ((map_high_2_0 mod 2) = 1) or (not (((map_high_1_0 / 2) mod 2) = 1)) or
+          (not ((map_high_1_0 mod 2) = 1));
+      else
+        map_of_high_0_c_below_b_choice_2 := map_of_high_0_c_below_b_choice;
+      end if;
+      if map_of_high_0_c_below_b_choice_2 then
+        map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_3;
+      else
+        map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) or map_of_high_0_b_below_a_value_3;
+      end if;
       map_of_high_1_b_below_a_value := ((map_high_0_1 / 2) mod 2) = 1;
-      map_of_high_1_b_below_a_choice := (not (((map_high_1_1 / 2) mod 2) = 1)) or (not ((map_high_1_1 mod 2) = 1)) when
-        (map_high_0_1 mod 2) = 1 else not (((map_high_1_1 / 2) mod 2) = 1);
+      if (map_high_0_1 mod 2) = 1 then
+        map_of_high_1_b_below_a_choice := (not (((map_high_1_1 / 2) mod 2) = 1)) or (not ((map_high_1_1 mod 2) = 1));
+      else
+        map_of_high_1_b_below_a_choice := not (((map_high_1_1 / 2) mod 2) = 1);
+      end if;
       map_of_high_1_b_below_a_is_equal := (map_high_1_1 mod 4) = 0;
-      map_of_high_1_b_below_a_choice_2 := map_of_high_1_b_below_a_choice when map_of_high_1_b_below_a_value else
-        ((map_high_0_1 mod 2) = 1) and map_of_high_1_b_below_a_is_equal;
+      if map_of_high_1_b_below_a_value then
+        map_of_high_1_b_below_a_choice_2 := map_of_high_1_b_below_a_choice;
+      else
+        map_of_high_1_b_below_a_choice_2 := ((map_high_0_1 mod 2) = 1) and map_of_high_1_b_below_a_is_equal;
+      end if;
       map_of_high_1_b_below_a_value_2 := ((map_high_0_1 / 4) mod 2) = 1;
       map_of_high_1_b_below_a_value_3 := ((map_high_1_1 / 4) mod 2) = 1;
-      map_of_high_1_b_below_a_choice_3 := (not map_of_high_1_b_below_a_value_2) and map_of_high_1_b_below_a_value_3
-        when map_of_high_1_b_below_a_choice_2 else (not map_of_high_1_b_below_a_value_2) or
-        map_of_high_1_b_below_a_value_3;
+      if map_of_high_1_b_below_a_choice_2 then
+        map_of_high_1_b_below_a_choice_3 := (not map_of_high_1_b_below_a_value_2) and map_of_high_1_b_below_a_value_3;
+      else
+        map_of_high_1_b_below_a_choice_3 := (not map_of_high_1_b_below_a_value_2) or map_of_high_1_b_below_a_value_3;
+      end if;
       map_of_high_1_c_below_a_value := ((map_high_2_1 / 2) mod 2) = 1;
-      map_of_high_1_c_below_a_choice := not map_of_high_1_b_below_a_value when (map_high_2_1 mod 2) = 1 else
-        (map_high_0_1 mod 4) = 0;
-      map_of_high_1_c_below_a_choice_2 := ((map_high_2_1 mod 2) = 1) or (not map_of_high_1_b_below_a_value) or (not
-        ((map_high_0_1 mod 2) = 1)) when map_of_high_1_c_below_a_value else map_of_high_1_c_below_a_choice;
-      map_of_high_1_c_below_a_choice_3 := (not (((map_high_2_1 / 4) mod 2) = 1)) and map_of_high_1_b_below_a_value_2
-        when map_of_high_1_c_below_a_choice_2 else (not (((map_high_2_1 / 4) mod 2) = 1)) or
-        map_of_high_1_b_below_a_value_2;
-      map_of_high_1_c_below_b_choice := not (((map_high_1_1 / 2) mod 2) = 1) when (map_high_2_1 mod 2) = 1 else
-        map_of_high_1_b_below_a_is_equal;
-      map_of_high_1_c_below_b_choice_2 := ((map_high_2_1 mod 2) = 1) or (not (((map_high_1_1 / 2) mod 2) = 1)) or (not
-        ((map_high_1_1 mod 2) = 1)) when map_of_high_1_c_below_a_value else map_of_high_1_c_below_b_choice;
-      map_of_high_1_c_below_b_choice_3 := (not (((map_high_2_1 / 4) mod 2) = 1)) and map_of_high_1_b_below_a_value_3
-        when map_of_high_1_c_below_b_choice_2 else (not (((map_high_2_1 / 4) mod 2) = 1)) or
-        map_of_high_1_b_below_a_value_3;
-      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_largest_low_1_choice := map_of_low_1_a when map_of_low_1_c_below_a else map_of_low_1_c;
-      map_largest_low_1_choice_2 := map_of_low_1_b when map_of_low_1_c_below_b else map_of_low_1_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
-        map_median_middle_0_choice_3;
-      map_median_middle_1_choice := map_of_middle_1_c when map_of_middle_1_c_below_a else map_of_middle_1_a;
-      map_median_middle_1_choice_2 := map_of_middle_1_b when map_of_middle_1_c_below_b else map_median_middle_1_choice;
-      map_median_middle_1_choice_3 := map_of_middle_1_c when map_of_middle_1_c_below_b else map_of_middle_1_b;
-      map_median_middle_1_choice_4 := map_of_middle_1_a when map_of_middle_1_c_below_a else
-        map_median_middle_1_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
-      map_smallest_high_1_choice := map_of_high_1_c when map_of_high_1_c_below_b else map_of_high_1_b;
-      map_smallest_high_1_choice_2 := map_of_high_1_c when map_of_high_1_c_below_a else map_of_high_1_a;
+      if (map_high_2_1 mod 2) = 1 then
+        map_of_high_1_c_below_a_choice := not map_of_high_1_b_below_a_value;
+      else
+        map_of_high_1_c_below_a_choice := (map_high_0_1 mod 4) = 0;
+      end if;
+      if map_of_high_1_c_below_a_value then
+        map_of_high_1_c_below_a_choice_2 := ((map_high_2_1 mod 2) = 1) or (not map_of_high_1_b_below_a_value) or (not
+          ((map_high_0_1 mod 2) = 1));
+      else
+        map_of_high_1_c_below_a_choice_2 := map_of_high_1_c_below_a_choice;
+      end if;
+      if map_of_high_1_c_below_a_choice_2 then
+        map_of_high_1_c_below_a_choice_3 := (not (((map_high_2_1 / 4) mod 2) = 1)) and map_of_high_1_b_below_a_value_2;
+      else
+        map_of_high_1_c_below_a_choice_3 := (not (((map_high_2_1 / 4) mod 2) = 1)) or map_of_high_1_b_below_a_value_2;
+      end if;
+      if (map_high_2_1 mod 2) = 1 then
+        map_of_high_1_c_below_b_choice := not (((map_high_1_1 / 2) mod 2) = 1);
+      else
+        map_of_high_1_c_below_b_choice := map_of_high_1_b_below_a_is_equal;
+      end if;
+      if map_of_high_1_c_below_a_value then
+        map_of_high_1_c_below_b_choice_2 := ((map_high_2_1 mod 2) = 1) or (not (((map_high_1_1 / 2) mod 2) = 1)) or
+          (not ((map_high_1_1 mod 2) = 1));
+      else
+        map_of_high_1_c_below_b_choice_2 := map_of_high_1_c_below_b_choice;
+      end if;
+      if map_of_high_1_c_below_b_choice_2 then
+        map_of_high_1_c_below_b_choice_3 := (not (((map_high_2_1 / 4) mod 2) = 1)) and map_of_high_1_b_below_a_value_3;
+      else
+        map_of_high_1_c_below_b_choice_3 := (not (((map_high_2_1 / 4) mod 2) = 1)) or map_of_high_1_b_below_a_value_3;
+      end if;
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice := map_of_low_0_a;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice_2 := map_of_low_0_b;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_low_1_c_below_a then
+        map_largest_low_1_choice := map_of_low_1_a;
+      else
+        map_largest_low_1_choice := map_of_low_1_c;
+      end if;
+      if map_of_low_1_c_below_b then
+        map_largest_low_1_choice_2 := map_of_low_1_b;
+      else
+        map_largest_low_1_choice_2 := map_of_low_1_c;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_2 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_4 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_middle_1_c_below_a then
+        map_median_middle_1_choice := map_of_middle_1_c;
+      else
+        map_median_middle_1_choice := map_of_middle_1_a;
+      end if;
+      if map_of_middle_1_c_below_b then
+        map_median_middle_1_choice_2 := map_of_middle_1_b;
+      else
+        map_median_middle_1_choice_2 := map_median_middle_1_choice;
+      end if;
+      if map_of_middle_1_c_below_b then
+        map_median_middle_1_choice_3 := map_of_middle_1_c;
+      else
+        map_median_middle_1_choice_3 := map_of_middle_1_b;
+      end if;
+      if map_of_middle_1_c_below_a then
+        map_median_middle_1_choice_4 := map_of_middle_1_a;
+      else
+        map_median_middle_1_choice_4 := map_median_middle_1_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
+      if map_of_high_1_c_below_b then
+        map_smallest_high_1_choice := map_of_high_1_c;
+      else
+        map_smallest_high_1_choice := map_of_high_1_b;
+      end if;
+      if map_of_high_1_c_below_a then
+        map_smallest_high_1_choice_2 := map_of_high_1_c;
+      else
+        map_smallest_high_1_choice_2 := map_of_high_1_a;
+      end if;
       map_of_all_0_b_below_a_value := ((map_largest_low_0 / 2) mod 2) = 1;
-      map_of_all_0_b_below_a_choice := (not (((map_median_middle_0 / 2) mod 2) = 1)) or (not ((map_median_middle_0 mod
-        2) = 1)) when (map_largest_low_0 mod 2) = 1 else not (((map_median_middle_0 / 2) mod 2) = 1);
+      if (map_largest_low_0 mod 2) = 1 then
+        map_of_all_0_b_below_a_choice := (not (((map_median_middle_0 / 2) mod 2) = 1)) or (not ((map_median_middle_0
+          mod 2) = 1));
+      else
+        map_of_all_0_b_below_a_choice := not (((map_median_middle_0 / 2) mod 2) = 1);
+      end if;
       map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
-      map_of_all_0_b_below_a_choice_2 := map_of_all_0_b_below_a_choice when map_of_all_0_b_below_a_value else
-        ((map_largest_low_0 mod 2) = 1) and map_of_all_0_b_below_a_is_equal;
+      if map_of_all_0_b_below_a_value then
+        map_of_all_0_b_below_a_choice_2 := map_of_all_0_b_below_a_choice;
+      else
+        map_of_all_0_b_below_a_choice_2 := ((map_largest_low_0 mod 2) = 1) and map_of_all_0_b_below_a_is_equal;
+      end if;
       map_of_all_0_b_below_a_value_2 := ((map_largest_low_0 / 4) mod 2) = 1;
       map_of_all_0_b_below_a_value_3 := ((map_median_middle_0 / 4) mod 2) = 1;
-      map_of_all_0_b_below_a_choice_3 := (not map_of_all_0_b_below_a_value_2) and map_of_all_0_b_below_a_value_3 when
-        map_of_all_0_b_below_a_choice_2 else (not map_of_all_0_b_below_a_value_2) or map_of_all_0_b_below_a_value_3;
+      if map_of_all_0_b_below_a_choice_2 then
+        map_of_all_0_b_below_a_choice_3 := (not map_of_all_0_b_below_a_value_2) and map_of_all_0_b_below_a_value_3;
+      else
+        map_of_all_0_b_below_a_choice_3 := (not map_of_all_0_b_below_a_value_2) or map_of_all_0_b_below_a_value_3;
+      end if;
       map_of_all_0_c_below_a_value := ((map_smallest_high_0 / 2) mod 2) = 1;
-      map_of_all_0_c_below_a_choice := not map_of_all_0_b_below_a_value when (map_smallest_high_0 mod 2) = 1 else
-        (map_largest_low_0 mod 4) = 0;
-      map_of_all_0_c_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not map_of_all_0_b_below_a_value) or
-        (not ((map_largest_low_0 mod 2) = 1)) when map_of_all_0_c_below_a_value else map_of_all_0_c_below_a_choice;
-      map_of_all_0_c_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
-        map_of_all_0_b_below_a_value_2 when map_of_all_0_c_below_a_choice_2 else (not (((map_smallest_high_0 / 4) mod
-        2) = 1)) or map_of_all_0_b_below_a_value_2;
-      map_of_all_0_c_below_b_choice := not (((map_median_middle_0 / 2) mod 2) = 1) when (map_smallest_high_0 mod 2) = 1
-        else map_of_all_0_b_below_a_is_equal;
-      map_of_all_0_c_below_b_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not (((map_median_middle_0 / 2) mod 2) =
-        1)) or (not ((map_median_middle_0 mod 2) = 1)) when map_of_all_0_c_below_a_value else
-        map_of_all_0_c_below_b_choice;
-      map_of_all_0_c_below_b_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
-        map_of_all_0_b_below_a_value_3 when map_of_all_0_c_below_b_choice_2 else (not (((map_smallest_high_0 / 4) mod
-        2) = 1)) or map_of_all_0_b_below_a_value_3;
+      if (map_smallest_high_0 mod 2) = 1 then
+        map_of_all_0_c_below_a_choice := not map_of_all_0_b_below_a_value;
+      else
+        map_of_all_0_c_below_a_choice := (map_largest_low_0 mod 4) = 0;
+      end if;
+      if map_of_all_0_c_below_a_value then
+        map_of_all_0_c_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not map_of_all_0_b_below_a_value) or
+          (not ((map_largest_low_0 mod 2) = 1));
+      else
+        map_of_all_0_c_below_a_choice_2 := map_of_all_0_c_below_a_choice;
+      end if;
+      if map_of_all_0_c_below_a_choice_2 then
+        map_of_all_0_c_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+          map_of_all_0_b_below_a_value_2;
+      else
+        map_of_all_0_c_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) or
+          map_of_all_0_b_below_a_value_2;
+      end if;
+      if (map_smallest_high_0 mod 2) = 1 then
+        map_of_all_0_c_below_b_choice := not (((map_median_middle_0 / 2) mod 2) = 1);
+      else
+        map_of_all_0_c_below_b_choice := map_of_all_0_b_below_a_is_equal;
+      end if;
+      if map_of_all_0_c_below_a_value then
+        map_of_all_0_c_below_b_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not (((map_median_middle_0 / 2) mod 2)
+          = 1)) or (not ((map_median_middle_0 mod 2) = 1));
+      else
+        map_of_all_0_c_below_b_choice_2 := map_of_all_0_c_below_b_choice;
+      end if;
+      if map_of_all_0_c_below_b_choice_2 then
+        map_of_all_0_c_below_b_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+          map_of_all_0_b_below_a_value_3;
+      else
+        map_of_all_0_c_below_b_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) or
+          map_of_all_0_b_below_a_value_3;
+      end if;
       map_of_all_1_b_below_a_value := ((map_largest_low_1 / 2) mod 2) = 1;
-      map_of_all_1_b_below_a_choice := (not (((map_median_middle_1 / 2) mod 2) = 1)) or (not ((map_median_middle_1 mod
-        2) = 1)) when (map_largest_low_1 mod 2) = 1 else not (((map_median_middle_1 / 2) mod 2) = 1);
+      if (map_largest_low_1 mod 2) = 1 then
+        map_of_all_1_b_below_a_choice := (not (((map_median_middle_1 / 2) mod 2) = 1)) or (not ((map_median_middle_1
+          mod 2) = 1));
+      else
+        map_of_all_1_b_below_a_choice := not (((map_median_middle_1 / 2) mod 2) = 1);
+      end if;
       map_of_all_1_b_below_a_is_equal := (map_median_middle_1 mod 4) = 0;
-      map_of_all_1_b_below_a_choice_2 := map_of_all_1_b_below_a_choice when map_of_all_1_b_below_a_value else
-        ((map_largest_low_1 mod 2) = 1) and map_of_all_1_b_below_a_is_equal;
+      if map_of_all_1_b_below_a_value then
+        map_of_all_1_b_below_a_choice_2 := map_of_all_1_b_below_a_choice;
+      else
+        map_of_all_1_b_below_a_choice_2 := ((map_largest_low_1 mod 2) = 1) and map_of_all_1_b_below_a_is_equal;
+      end if;
       map_of_all_1_b_below_a_value_2 := ((map_largest_low_1 / 4) mod 2) = 1;
       map_of_all_1_b_below_a_value_3 := ((map_median_middle_1 / 4) mod 2) = 1;
-      map_of_all_1_b_below_a_choice_3 := (not map_of_all_1_b_below_a_value_2) and map_of_all_1_b_below_a_value_3 when
-        map_of_all_1_b_below_a_choice_2 else (not map_of_all_1_b_below_a_value_2) or map_of_all_1_b_below_a_value_3;
+      if map_of_all_1_b_below_a_choice_2 then
+        map_of_all_1_b_below_a_choice_3 := (not map_of_all_1_b_below_a_value_2) and map_of_all_1_b_below_a_value_3;
+      else
+        map_of_all_1_b_below_a_choice_3 := (not map_of_all_1_b_below_a_value_2) or map_of_all_1_b_below_a_value_3;
+      end if;
       map_of_all_1_c_below_a_value := ((map_smallest_high_1 / 2) mod 2) = 1;
-      map_of_all_1_c_below_a_choice := not map_of_all_1_b_below_a_value when (map_smallest_high_1 mod 2) = 1 else
-        (map_largest_low_1 mod 4) = 0;
-      map_of_all_1_c_below_a_choice_2 := ((map_smallest_high_1 mod 2) = 1) or (not map_of_all_1_b_below_a_value) or
-        (not ((map_largest_low_1 mod 2) = 1)) when map_of_all_1_c_below_a_value else map_of_all_1_c_below_a_choice;
-      map_of_all_1_c_below_a_choice_3 := (not (((map_smallest_high_1 / 4) mod 2) = 1)) and
-        map_of_all_1_b_below_a_value_2 when map_of_all_1_c_below_a_choice_2 else (not (((map_smallest_high_1 / 4) mod
-        2) = 1)) or map_of_all_1_b_below_a_value_2;
-      map_of_all_1_c_below_b_choice := not (((map_median_middle_1 / 2) mod 2) = 1) when (map_smallest_high_1 mod 2) = 1
-        else map_of_all_1_b_below_a_is_equal;
-      map_of_all_1_c_below_b_choice_2 := ((map_smallest_high_1 mod 2) = 1) or (not (((map_median_middle_1 / 2) mod 2) =
-        1)) or (not ((map_median_middle_1 mod 2) = 1)) when map_of_all_1_c_below_a_value else
-        map_of_all_1_c_below_b_choice;
-      map_of_all_1_c_below_b_choice_3 := (not (((map_smallest_high_1 / 4) mod 2) = 1)) and
-        map_of_all_1_b_below_a_value_3 when map_of_all_1_c_below_b_choice_2 else (not (((map_smallest_high_1 / 4) mod
-        2) = 1)) or map_of_all_1_b_below_a_value_3;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_out_disparity_1_choice := map_of_all_1_c when map_of_all_1_c_below_a else map_of_all_1_a;
-      map_out_disparity_1_choice_2 := map_of_all_1_b when map_of_all_1_c_below_b else map_out_disparity_1_choice;
-      map_out_disparity_1_choice_3 := map_of_all_1_c when map_of_all_1_c_below_b else map_of_all_1_b;
-      map_out_disparity_1_choice_4 := map_of_all_1_a when map_of_all_1_c_below_a else map_out_disparity_1_choice_3;
-      map_counter_group <= map_counter_group_choice * 2 when slice2_best_tag_start_of_frame and slice2_best_tag_valid
-        and slice2_best_tag_map_column else map_counter_group_choice_3;
-      map_counter_next_frame <= map_counter_next_frame or map_counter_column_all when map_counter_next_frame_choice_2
-        else map_counter_next_frame and ((not slice2_best_tag_valid) or (not slice2_best_tag_map_column));
+      if (map_smallest_high_1 mod 2) = 1 then
+        map_of_all_1_c_below_a_choice := not map_of_all_1_b_below_a_value;
+      else
+        map_of_all_1_c_below_a_choice := (map_largest_low_1 mod 4) = 0;
+      end if;
+      if map_of_all_1_c_below_a_value then
+        map_of_all_1_c_below_a_choice_2 := ((map_smallest_high_1 mod 2) = 1) or (not map_of_all_1_b_below_a_value) or
+          (not ((map_largest_low_1 mod 2) = 1));
+      else
+        map_of_all_1_c_below_a_choice_2 := map_of_all_1_c_below_a_choice;
+      end if;
+      if map_of_all_1_c_below_a_choice_2 then
+        map_of_all_1_c_below_a_choice_3 := (not (((map_smallest_high_1 / 4) mod 2) = 1)) and
+          map_of_all_1_b_below_a_value_2;
+      else
+        map_of_all_1_c_below_a_choice_3 := (not (((map_smallest_high_1 / 4) mod 2) = 1)) or
+          map_of_all_1_b_below_a_value_2;
+      end if;
+      if (map_smallest_high_1 mod 2) = 1 then
+        map_of_all_1_c_below_b_choice := not (((map_median_middle_1 / 2) mod 2) = 1);
+      else
+        map_of_all_1_c_below_b_choice := map_of_all_1_b_below_a_is_equal;
+      end if;
+      if map_of_all_1_c_below_a_value then
+        map_of_all_1_c_below_b_choice_2 := ((map_smallest_high_1 mod 2) = 1) or (not (((map_median_middle_1 / 2) mod 2)
+          = 1)) or (not ((map_median_middle_1 mod 2) = 1));
+      else
+        map_of_all_1_c_below_b_choice_2 := map_of_all_1_c_below_b_choice;
+      end if;
+      if map_of_all_1_c_below_b_choice_2 then
+        map_of_all_1_c_below_b_choice_3 := (not (((map_smallest_high_1 / 4) mod 2) = 1)) and
+          map_of_all_1_b_below_a_value_3;
+      else
+        map_of_all_1_c_below_b_choice_3 := (not (((map_smallest_high_1 / 4) mod 2) = 1)) or
+          map_of_all_1_b_below_a_value_3;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
+      if map_of_all_1_c_below_a then
+        map_out_disparity_1_choice := map_of_all_1_c;
+      else
+        map_out_disparity_1_choice := map_of_all_1_a;
+      end if;
+      if map_of_all_1_c_below_b then
+        map_out_disparity_1_choice_2 := map_of_all_1_b;
+      else
+        map_out_disparity_1_choice_2 := map_out_disparity_1_choice;
+      end if;
+      if map_of_all_1_c_below_b then
+        map_out_disparity_1_choice_3 := map_of_all_1_c;
+      else
+        map_out_disparity_1_choice_3 := map_of_all_1_b;
+      end if;
+      if map_of_all_1_c_below_a then
+        map_out_disparity_1_choice_4 := map_of_all_1_a;
+      else
+        map_out_disparity_1_choice_4 := map_out_disparity_1_choice_3;
+      end if;
       map_newest_0 <= (slice2_best_index_0_0 * 2) + 1;
       map_arrives <= map_counter_column_all;
       map_behind <= map_line_ended and slice2_best_tag_valid;
-      map_line_ended <= map_line_ended_choice when slice2_best_tag_end_of_line else map_line_ended and (not
-        slice2_best_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -1265,19 +1881,8 @@ begin
       map_at_top <= to_integer(other_0(32 downto 32)) = 1;
       map_at_bottom <= to_integer(other_0(40 downto 40)) = 1;
       map_at_output <= to_integer(other_0(48 downto 48)) = 1;
-      map_of_column_0_a <= map_column_1 / 2 when map_at_top else other_1 / 2;
       map_of_column_0_b <= map_column_1 / 2;
       map_of_column_0_c <= map_column_2 / 2;
-      map_of_column_0_b_below_a <= (not ((map_column_1 / 16) = 1)) and ((other_1 / 16) = 1) and (not map_at_top) when
-        map_of_column_0_b_below_a_choice_2 else (not ((map_column_1 / 16) = 1)) or ((other_1 / 16) = 1) or map_at_top;
-      map_of_column_0_c_below_a <= map_of_column_0_c_below_a_choice_6 and (not ((map_column_2 / 16) = 1)) when
-        map_of_column_0_c_below_a_choice_5 else map_of_column_0_c_below_a_choice_6 or (not ((map_column_2 / 16) = 1));
-      map_of_column_0_c_below_b <= (not ((map_column_2 / 16) = 1)) or ((map_column_1 / 16) = 1) when
-        map_of_column_0_c_below_b_choice_3 else (not ((map_column_2 / 16) = 1)) and ((map_column_1 / 16) = 1);
-      map_of_column_1_c <= map_column_2 / 2 when map_at_bottom else map_column_3 / 2;
-      map_of_column_1_c_below_a <= (not (map_at_bottom and ((map_column_2 / 16) = 1))) or ((map_column_1 / 16) = 1)
-        when map_of_column_1_c_below_a_choice_6 else (not (map_at_bottom and ((map_column_2 / 16) = 1))) and
-        ((map_column_1 / 16) = 1);
       map_of_column_1_c_below_b <= (not map_of_column_1_c_below_b_choice_2) or ((not map_at_bottom) and ((map_column_2
         / 16) = 1));
       map_column_passed_0_0 <= (map_column_2 mod 2) = 1;
@@ -1294,102 +1899,32 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_low_1 <= map_sorted_low_1_choice when map_of_column_0_c_below_b else map_sorted_low_1_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_middle_1 <= map_sorted_middle_1_choice when map_of_column_0_c_below_b else
-        map_sorted_middle_1_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_sorted_high_1 <= map_sorted_high_1_choice when map_of_column_0_c_below_b else map_sorted_high_1_choice_2;
-      map_passed_1_0 <= map_passed_0_0 or map_passed_1_0_all when map_passed_1_0 else map_passed_0_0 and
-        map_passed_1_0_any;
-      map_passed_1_1 <= map_passed_0_1 or map_passed_1_0_all when map_passed_1_1 else map_passed_0_1 and
-        map_passed_1_0_any;
-      map_window_complete <= map_sorted_output and map_sorted_behind when map_window_complete_all else
-        map_sorted_output and map_passed_1_0_any;
       map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
       map_window_last <= map_sorted_behind;
       map_of_low_0_a <= map_low_0_0;
       map_of_low_0_b <= map_low_1_0;
       map_of_low_0_c <= map_low_2_0;
-      map_of_low_0_b_below_a <= ((map_low_0_0 / 8) = 1) and (not ((map_low_1_0 / 8) = 1)) when
-        map_of_low_0_b_below_a_choice_3 else ((map_low_0_0 / 8) = 1) or (not ((map_low_1_0 / 8) = 1));
-      map_of_low_0_c_below_a <= (not ((map_low_2_0 / 8) = 1)) or ((map_low_0_0 / 8) = 1) when
-        map_of_low_0_c_below_a_choice_3 else (not ((map_low_2_0 / 8) = 1)) and ((map_low_0_0 / 8) = 1);
-      map_of_low_0_c_below_b <= (not ((map_low_2_0 / 8) = 1)) or ((map_low_1_0 / 8) = 1) when
-        map_of_low_0_c_below_b_choice_3 else (not ((map_low_2_0 / 8) = 1)) and ((map_low_1_0 / 8) = 1);
       map_of_low_1_a <= map_low_0_1;
       map_of_low_1_b <= map_low_1_1;
       map_of_low_1_c <= map_low_2_1;
-      map_of_low_1_b_below_a <= ((map_low_0_1 / 8) = 1) and (not ((map_low_1_1 / 8) = 1)) when
-        map_of_low_1_b_below_a_choice_3 else ((map_low_0_1 / 8) = 1) or (not ((map_low_1_1 / 8) = 1));
-      map_of_low_1_c_below_a <= (not ((map_low_2_1 / 8) = 1)) or ((map_low_0_1 / 8) = 1) when
-        map_of_low_1_c_below_a_choice_3 else (not ((map_low_2_1 / 8) = 1)) and ((map_low_0_1 / 8) = 1);
-      map_of_low_1_c_below_b <= (not ((map_low_2_1 / 8) = 1)) or ((map_low_1_1 / 8) = 1) when
-        map_of_low_1_c_below_b_choice_3 else (not ((map_low_2_1 / 8) = 1)) and ((map_low_1_1 / 8) = 1);
       map_of_middle_0_a <= map_middle_0_0;
       map_of_middle_0_b <= map_middle_1_0;
       map_of_middle_0_c <= map_middle_2_0;
-      map_of_middle_0_b_below_a <= ((map_middle_0_0 / 8) = 1) and (not ((map_middle_1_0 / 8) = 1)) when
-        map_of_middle_0_b_below_a_choice_3 else ((map_middle_0_0 / 8) = 1) or (not ((map_middle_1_0 / 8) = 1));
-      map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 8) = 1)) or ((map_middle_0_0 / 8) = 1) when
-        map_of_middle_0_c_below_a_choice_3 else (not ((map_middle_2_0 / 8) = 1)) and ((map_middle_0_0 / 8) = 1);
-      map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 8) = 1)) or ((map_middle_1_0 / 8) = 1) when
-        map_of_middle_0_c_below_b_choice_3 else (not ((map_middle_2_0 / 8) = 1)) and ((map_middle_1_0 / 8) = 1);
       map_of_middle_1_a <= map_middle_0_1;
       map_of_middle_1_b <= map_middle_1_1;
       map_of_middle_1_c <= map_middle_2_1;
-      map_of_middle_1_b_below_a <= ((map_middle_0_1 / 8) = 1) and (not ((map_middle_1_1 / 8) = 1)) when
-        map_of_middle_1_b_below_a_choice_3 else ((map_middle_0_1 / 8) = 1) or (not ((map_middle_1_1 / 8) = 1));
-      map_of_middle_1_c_below_a <= (not ((map_middle_2_1 / 8) = 1)) or ((map_middle_0_1 / 8) = 1) when
-        map_of_middle_1_c_below_a_choice_3 else (not ((map_middle_2_1 / 8) = 1)) and ((map_middle_0_1 / 8) = 1);
-      map_of_middle_1_c_below_b <= (not ((map_middle_2_1 / 8) = 1)) or ((map_middle_1_1 / 8) = 1) when
-        map_of_middle_1_c_below_b_choice_3 else (not ((map_middle_2_1 / 8) = 1)) and ((map_middle_1_1 / 8) = 1);
       map_of_high_0_a <= map_high_0_0;
       map_of_high_0_b <= map_high_1_0;
       map_of_high_0_c <= map_high_2_0;
-      map_of_high_0_b_below_a <= ((map_high_0_0 / 8) = 1) and (not ((map_high_1_0 / 8) = 1)) when
-        map_of_high_0_b_below_a_choice_3 else ((map_high_0_0 / 8) = 1) or (not ((map_high_1_0 / 8) = 1));
-      map_of_high_0_c_below_a <= (not ((map_high_2_0 / 8) = 1)) or ((map_high_0_0 / 8) = 1) when
-        map_of_high_0_c_below_a_choice_3 else (not ((map_high_2_0 / 8) = 1)) and ((map_high_0_0 / 8) = 1);
-      map_of_high_0_c_below_b <= (not ((map_high_2_0 / 8) = 1)) or ((map_high_1_0 / 8) = 1) when
-        map_of_high_0_c_below_b_choice_3 else (not ((map_high_2_0 / 8) = 1)) and ((map_high_1_0 / 8) = 1);
       map_of_high_1_a <= map_high_0_1;
       map_of_high_1_b <= map_high_1_1;
       map_of_high_1_c <= map_high_2_1;
-      map_of_high_1_b_below_a <= ((map_high_0_1 / 8) = 1) and (not ((map_high_1_1 / 8) = 1)) when
-        map_of_high_1_b_below_a_choice_3 else ((map_high_0_1 / 8) = 1) or (not ((map_high_1_1 / 8) = 1));
-      map_of_high_1_c_below_a <= (not ((map_high_2_1 / 8) = 1)) or ((map_high_0_1 / 8) = 1) when
-        map_of_high_1_c_below_a_choice_3 else (not ((map_high_2_1 / 8) = 1)) and ((map_high_0_1 / 8) = 1);
-      map_of_high_1_c_below_b <= (not ((map_high_2_1 / 8) = 1)) or ((map_high_1_1 / 8) = 1) when
-        map_of_high_1_c_below_b_choice_3 else (not ((map_high_2_1 / 8) = 1)) and ((map_high_1_1 / 8) = 1);
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
-      map_largest_low_1 <= map_largest_low_1_choice when map_of_low_1_b_below_a else map_largest_low_1_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
-        map_median_middle_0_choice_4;
-      map_median_middle_1 <= map_median_middle_1_choice_2 when map_of_middle_1_b_below_a else
-        map_median_middle_1_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
-      map_smallest_high_1 <= map_smallest_high_1_choice when map_of_high_1_b_below_a else map_smallest_high_1_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
-      map_of_all_0_b_below_a <= ((map_largest_low_0 / 8) = 1) and (not ((map_median_middle_0 / 8) = 1)) when
-        map_of_all_0_b_below_a_choice_3 else ((map_largest_low_0 / 8) = 1) or (not ((map_median_middle_0 / 8) = 1));
-      map_of_all_0_c_below_a <= (not ((map_smallest_high_0 / 8) = 1)) or ((map_largest_low_0 / 8) = 1) when
-        map_of_all_0_c_below_a_choice_3 else (not ((map_smallest_high_0 / 8) = 1)) and ((map_largest_low_0 / 8) = 1);
-      map_of_all_0_c_below_b <= (not ((map_smallest_high_0 / 8) = 1)) or ((map_median_middle_0 / 8) = 1) when
-        map_of_all_0_c_below_b_choice_3 else (not ((map_smallest_high_0 / 8) = 1)) and ((map_median_middle_0 / 8) = 1);
       map_of_all_1_a <= map_largest_low_1;
       map_of_all_1_b <= map_median_middle_1;
       map_of_all_1_c <= map_smallest_high_1;
-      map_of_all_1_b_below_a <= ((map_largest_low_1 / 8) = 1) and (not ((map_median_middle_1 / 8) = 1)) when
-        map_of_all_1_b_below_a_choice_3 else ((map_largest_low_1 / 8) = 1) or (not ((map_median_middle_1 / 8) = 1));
-      map_of_all_1_c_below_a <= (not ((map_smallest_high_1 / 8) = 1)) or ((map_largest_low_1 / 8) = 1) when
-        map_of_all_1_c_below_a_choice_3 else (not ((map_smallest_high_1 / 8) = 1)) and ((map_largest_low_1 / 8) = 1);
-      map_of_all_1_c_below_b <= (not ((map_smallest_high_1 / 8) = 1)) or ((map_median_middle_1 / 8) = 1) when
-        map_of_all_1_c_below_b_choice_3 else (not ((map_smallest_high_1 / 8) = 1)) and ((map_median_middle_1 / 8) = 1);
       map_waiting_0_complete <= map_window_complete;
       map_waiting_0_first <= map_window_first;
       map_waiting_0_last <= map_window_last;
@@ -1405,43 +1940,313 @@ begin
       map_waiting_passed_1_1 <= map_waiting_passed_0_1;
       map_waiting_passed_2_0 <= map_waiting_passed_1_0;
       map_waiting_passed_2_1 <= map_waiting_passed_1_1;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
-      map_out_disparity_1 <= map_out_disparity_1_choice_2 when map_of_all_1_b_below_a else map_out_disparity_1_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_passed_1 <= map_waiting_passed_2_1;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_map_column then
+        map_counter_group <= map_counter_group_choice * 2;
+      else
+        map_counter_group <= map_counter_group_choice_3;
+      end if;
+      if map_counter_next_frame_choice_2 then
+        map_counter_next_frame <= map_counter_next_frame or map_counter_column_all;
+      else
+        map_counter_next_frame <= map_counter_next_frame and ((not slice2_best_tag_valid) or (not
+          slice2_best_tag_map_column));
+      end if;
+      if slice2_best_tag_end_of_line then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= map_line_ended and (not slice2_best_tag_valid);
+      end if;
+      if map_at_top then
+        map_of_column_0_a <= map_column_1 / 2;
+      else
+        map_of_column_0_a <= other_1 / 2;
+      end if;
+      if map_of_column_0_b_below_a_choice_2 then
+        map_of_column_0_b_below_a <= (not ((map_column_1 / 16) = 1)) and ((other_1 / 16) = 1) and (not map_at_top);
+      else
+        map_of_column_0_b_below_a <= (not ((map_column_1 / 16) = 1)) or ((other_1 / 16) = 1) or map_at_top;
+      end if;
+      if map_of_column_0_c_below_a_choice_5 then
+        map_of_column_0_c_below_a <= map_of_column_0_c_below_a_choice_6 and (not ((map_column_2 / 16) = 1));
+      else
+        map_of_column_0_c_below_a <= map_of_column_0_c_below_a_choice_6 or (not ((map_column_2 / 16) = 1));
+      end if;
+      if map_of_column_0_c_below_b_choice_3 then
+        map_of_column_0_c_below_b <= (not ((map_column_2 / 16) = 1)) or ((map_column_1 / 16) = 1);
+      else
+        map_of_column_0_c_below_b <= (not ((map_column_2 / 16) = 1)) and ((map_column_1 / 16) = 1);
+      end if;
+      if map_at_bottom then
+        map_of_column_1_c <= map_column_2 / 2;
+      else
+        map_of_column_1_c <= map_column_3 / 2;
+      end if;
+      if map_of_column_1_c_below_a_choice_6 then
+        map_of_column_1_c_below_a <= (not (map_at_bottom and ((map_column_2 / 16) = 1))) or ((map_column_1 / 16) = 1);
+      else
+        map_of_column_1_c_below_a <= (not (map_at_bottom and ((map_column_2 / 16) = 1))) and ((map_column_1 / 16) = 1);
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_1 <= map_sorted_low_1_choice;
+        map_sorted_middle_1 <= map_sorted_middle_1_choice;
+        map_sorted_high_1 <= map_sorted_high_1_choice;
+      else
+        map_sorted_low_1 <= map_sorted_low_1_choice_2;
+        map_sorted_middle_1 <= map_sorted_middle_1_choice_2;
+        map_sorted_high_1 <= map_sorted_high_1_choice_2;
+      end if;
+      if map_passed_1_0 then
+        map_passed_1_0 <= map_passed_0_0 or map_passed_1_0_all;
+      else
+        map_passed_1_0 <= map_passed_0_0 and map_passed_1_0_any;
+      end if;
+      if map_passed_1_1 then
+        map_passed_1_1 <= map_passed_0_1 or map_passed_1_0_all;
+      else
+        map_passed_1_1 <= map_passed_0_1 and map_passed_1_0_any;
+      end if;
+      if map_window_complete_all then
+        map_window_complete <= map_sorted_output and map_sorted_behind;
+      else
+        map_window_complete <= map_sorted_output and map_passed_1_0_any;
+      end if;
+      if map_of_low_0_b_below_a_choice_3 then
+        map_of_low_0_b_below_a <= ((map_low_0_0 / 8) = 1) and (not ((map_low_1_0 / 8) = 1));
+      else
+        map_of_low_0_b_below_a <= ((map_low_0_0 / 8) = 1) or (not ((map_low_1_0 / 8) = 1));
+      end if;
+      if map_of_low_0_c_below_a_choice_3 then
+        map_of_low_0_c_below_a <= (not ((map_low_2_0 / 8) = 1)) or ((map_low_0_0 / 8) = 1);
+      else
+        map_of_low_0_c_below_a <= (not ((map_low_2_0 / 8) = 1)) and ((map_low_0_0 / 8) = 1);
+      end if;
+      if map_of_low_0_c_below_b_choice_3 then
+        map_of_low_0_c_below_b <= (not ((map_low_2_0 / 8) = 1)) or ((map_low_1_0 / 8) = 1);
+      else
+        map_of_low_0_c_below_b <= (not ((map_low_2_0 / 8) = 1)) and ((map_low_1_0 / 8) = 1);
+      end if;
+      if map_of_low_1_b_below_a_choice_3 then
+        map_of_low_1_b_below_a <= ((map_low_0_1 / 8) = 1) and (not ((map_low_1_1 / 8) = 1));
+      else
+        map_of_low_1_b_below_a <= ((map_low_0_1 / 8) = 1) or (not ((map_low_1_1 / 8) = 1));
+      end if;
+      if map_of_low_1_c_below_a_choice_3 then
+        map_of_low_1_c_below_a <= (not ((map_low_2_1 / 8) = 1)) or ((map_low_0_1 / 8) = 1);
+      else
+        map_of_low_1_c_below_a <= (not ((map_low_2_1 / 8) = 1)) and ((map_low_0_1 / 8) = 1);
+      end if;
+      if map_of_low_1_c_below_b_choice_3 then
+        map_of_low_1_c_below_b <= (not ((map_low_2_1 / 8) = 1)) or ((map_low_1_1 / 8) = 1);
+      else
+        map_of_low_1_c_below_b <= (not ((map_low_2_1 / 8) = 1)) and ((map_low_1_1 / 8) = 1);
+      end if;
+      if map_of_middle_0_b_below_a_choice_3 then
+        map_of_middle_0_b_below_a <= ((map_middle_0_0 / 8) = 1) and (not ((map_middle_1_0 / 8) = 1));
+      else
+        map_of_middle_0_b_below_a <= ((map_middle_0_0 / 8) = 1) or (not ((map_middle_1_0 / 8) = 1));
+      end if;
+      if map_of_middle_0_c_below_a_choice_3 then
+        map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 8) = 1)) or ((map_middle_0_0 / 8) = 1);
+      else
+        map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 8) = 1)) and ((map_middle_0_0 / 8) = 1);
+      end if;
+      if map_of_middle_0_c_below_b_choice_3 then
+        map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 8) = 1)) or ((map_middle_1_0 / 8) = 1);
+      else
+        map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 8) = 1)) and ((map_middle_1_0 / 8) = 1);
+      end if;
+      if map_of_middle_1_b_below_a_choice_3 then
+        map_of_middle_1_b_below_a <= ((map_middle_0_1 / 8) = 1) and (not ((map_middle_1_1 / 8) = 1));
+      else
+        map_of_middle_1_b_below_a <= ((map_middle_0_1 / 8) = 1) or (not ((map_middle_1_1 / 8) = 1));
+      end if;
+      if map_of_middle_1_c_below_a_choice_3 then
+        map_of_middle_1_c_below_a <= (not ((map_middle_2_1 / 8) = 1)) or ((map_middle_0_1 / 8) = 1);
+      else
+        map_of_middle_1_c_below_a <= (not ((map_middle_2_1 / 8) = 1)) and ((map_middle_0_1 / 8) = 1);
+      end if;
+      if map_of_middle_1_c_below_b_choice_3 then
+        map_of_middle_1_c_below_b <= (not ((map_middle_2_1 / 8) = 1)) or ((map_middle_1_1 / 8) = 1);
+      else
+        map_of_middle_1_c_below_b <= (not ((map_middle_2_1 / 8) = 1)) and ((map_middle_1_1 / 8) = 1);
+      end if;
+      if map_of_high_0_b_below_a_choice_3 then
+        map_of_high_0_b_below_a <= ((map_high_0_0 / 8) = 1) and (not ((map_high_1_0 / 8) = 1));
+      else
+        map_of_high_0_b_below_a <= ((map_high_0_0 / 8) = 1) or (not ((map_high_1_0 / 8) = 1));
+      end if;
+      if map_of_high_0_c_below_a_choice_3 then
+        map_of_high_0_c_below_a <= (not ((map_high_2_0 / 8) = 1)) or ((map_high_0_0 / 8) = 1);
+      else
+        map_of_high_0_c_below_a <= (not ((map_high_2_0 / 8) = 1)) and ((map_high_0_0 / 8) = 1);
+      end if;
+      if map_of_high_0_c_below_b_choice_3 then
+        map_of_high_0_c_below_b <= (not ((map_high_2_0 / 8) = 1)) or ((map_high_1_0 / 8) = 1);
+      else
+        map_of_high_0_c_below_b <= (not ((map_high_2_0 / 8) = 1)) and ((map_high_1_0 / 8) = 1);
+      end if;
+      if map_of_high_1_b_below_a_choice_3 then
+        map_of_high_1_b_below_a <= ((map_high_0_1 / 8) = 1) and (not ((map_high_1_1 / 8) = 1));
+      else
+        map_of_high_1_b_below_a <= ((map_high_0_1 / 8) = 1) or (not ((map_high_1_1 / 8) = 1));
+      end if;
+      if map_of_high_1_c_below_a_choice_3 then
+        map_of_high_1_c_below_a <= (not ((map_high_2_1 / 8) = 1)) or ((map_high_0_1 / 8) = 1);
+      else
+        map_of_high_1_c_below_a <= (not ((map_high_2_1 / 8) = 1)) and ((map_high_0_1 / 8) = 1);
+      end if;
+      if map_of_high_1_c_below_b_choice_3 then
+        map_of_high_1_c_below_b <= (not ((map_high_2_1 / 8) = 1)) or ((map_high_1_1 / 8) = 1);
+      else
+        map_of_high_1_c_below_b <= (not ((map_high_2_1 / 8) = 1)) and ((map_high_1_1 / 8) = 1);
+      end if;
+      if map_of_low_0_b_below_a then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_low_1_b_below_a then
+        map_largest_low_1 <= map_largest_low_1_choice;
+      else
+        map_largest_low_1 <= map_largest_low_1_choice_2;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_middle_1_b_below_a then
+        map_median_middle_1 <= map_median_middle_1_choice_2;
+      else
+        map_median_middle_1 <= map_median_middle_1_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_high_1_b_below_a then
+        map_smallest_high_1 <= map_smallest_high_1_choice;
+      else
+        map_smallest_high_1 <= map_smallest_high_1_choice_2;
+      end if;
+      if map_of_all_0_b_below_a_choice_3 then
+        map_of_all_0_b_below_a <= ((map_largest_low_0 / 8) = 1) and (not ((map_median_middle_0 / 8) = 1));
+      else
+        map_of_all_0_b_below_a <= ((map_largest_low_0 / 8) = 1) or (not ((map_median_middle_0 / 8) = 1));
+      end if;
+      if map_of_all_0_c_below_a_choice_3 then
+        map_of_all_0_c_below_a <= (not ((map_smallest_high_0 / 8) = 1)) or ((map_largest_low_0 / 8) = 1);
+      else
+        map_of_all_0_c_below_a <= (not ((map_smallest_high_0 / 8) = 1)) and ((map_largest_low_0 / 8) = 1);
+      end if;
+      if map_of_all_0_c_below_b_choice_3 then
+        map_of_all_0_c_below_b <= (not ((map_smallest_high_0 / 8) = 1)) or ((map_median_middle_0 / 8) = 1);
+      else
+        map_of_all_0_c_below_b <= (not ((map_smallest_high_0 / 8) = 1)) and ((map_median_middle_0 / 8) = 1);
+      end if;
+      if map_of_all_1_b_below_a_choice_3 then
+        map_of_all_1_b_below_a <= ((map_largest_low_1 / 8) = 1) and (not ((map_median_middle_1 / 8) = 1));
+      else
+        map_of_all_1_b_below_a <= ((map_largest_low_1 / 8) = 1) or (not ((map_median_middle_1 / 8) = 1));
+      end if;
+      if map_of_all_1_c_below_a_choice_3 then
+        map_of_all_1_c_below_a <= (not ((map_smallest_high_1 / 8) = 1)) or ((map_largest_low_1 / 8) = 1);
+      else
+        map_of_all_1_c_below_a <= (not ((map_smallest_high_1 / 8) = 1)) and ((map_largest_low_1 / 8) = 1);
+      end if;
+      if map_of_all_1_c_below_b_choice_3 then
+        map_of_all_1_c_below_b <= (not ((map_smallest_high_1 / 8) = 1)) or ((map_median_middle_1 / 8) = 1);
+      else
+        map_of_all_1_c_below_b <= (not ((map_smallest_high_1 / 8) = 1)) and ((map_median_middle_1 / 8) = 1);
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
+      if map_of_all_1_b_below_a then
+        map_out_disparity_1 <= map_out_disparity_1_choice_2;
+      else
+        map_out_disparity_1 <= map_out_disparity_1_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= to_integer(((to_unsigned(map_rows_ready_newest_0, 13) &
           to_unsigned((map_rows_ready_words_0 / 262144), 9)) or (to_unsigned(other_3, 22))));
         map_at_column <= to_integer(other_0(4 downto 0));
       end if;
-      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
-      map_low_0_1_choice := map_low_0_1 when map_sorted_behind else map_sorted_low_1;
-      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
-      map_middle_0_1_choice := map_middle_0_1 when map_sorted_behind else map_sorted_middle_1;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
-      map_high_0_1_choice := map_high_0_1 when map_sorted_behind else map_sorted_high_1;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_0_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
+      if map_sorted_behind then
+        map_low_0_1_choice := map_low_0_1;
+      else
+        map_low_0_1_choice := map_sorted_low_1;
+      end if;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_0_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_middle_0_1_choice := map_middle_0_1;
+      else
+        map_middle_0_1_choice := map_sorted_middle_1;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_1_choice := map_high_0_1;
+      else
+        map_high_0_1_choice := map_sorted_high_1;
+      end if;
       if map_passed_1_0_any then
         map_low_0_0 <= map_low_0_0_choice;
         map_low_0_1 <= map_low_0_1_choice;
-        map_low_1_0 <= map_low_0_0_choice when map_window_complete_all else map_low_0_0;
-        map_low_1_1 <= map_low_0_1_choice when map_window_complete_all else map_low_0_1;
         map_low_2_0 <= map_low_1_0;
         map_low_2_1 <= map_low_1_1;
         map_middle_0_0 <= map_middle_0_0_choice;
         map_middle_0_1 <= map_middle_0_1_choice;
-        map_middle_1_0 <= map_middle_0_0_choice when map_window_complete_all else map_middle_0_0;
-        map_middle_1_1 <= map_middle_0_1_choice when map_window_complete_all else map_middle_0_1;
         map_middle_2_0 <= map_middle_1_0;
         map_middle_2_1 <= map_middle_1_1;
         map_high_0_0 <= map_high_0_0_choice;
         map_high_0_1 <= map_high_0_1_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_window_complete_all else map_high_0_0;
-        map_high_1_1 <= map_high_0_1_choice when map_window_complete_all else map_high_0_1;
         map_high_2_0 <= map_high_1_0;
         map_high_2_1 <= map_high_1_1;
+        if map_window_complete_all then
+          map_low_1_0 <= map_low_0_0_choice;
+          map_low_1_1 <= map_low_0_1_choice;
+          map_middle_1_0 <= map_middle_0_0_choice;
+          map_middle_1_1 <= map_middle_0_1_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+          map_high_1_1 <= map_high_0_1_choice;
+        else
+          map_low_1_0 <= map_low_0_0;
+          map_low_1_1 <= map_low_0_1;
+          map_middle_1_0 <= map_middle_0_0;
+          map_middle_1_1 <= map_middle_0_1;
+          map_high_1_0 <= map_high_0_0;
+          map_high_1_1 <= map_high_0_1;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;

@@ -541,101 +541,155 @@ architecture rtl of stereo_core_tiny_settings_left_p2 is
   signal other_11, other_12 : natural range 0 to 224;
   signal other_13, other_14 : natural range 0 to 192;
   signal other_15, other_16 : natural range 0 to 128;
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal map_rows_read_words_1_memory_read_enable : boolean;
+  signal map_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal map_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal map_rows_read_words_1_memory_write_data : unsigned(12 downto 0);
+  signal map_rows_read_words_0_memory_read_enable : boolean;
+  signal map_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal map_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal leftright_found_1_memory_read_enable : boolean;
+  signal leftright_found_1_memory_read_address : unsigned(3 downto 0);
+  signal leftright_found_1_memory_write_address : unsigned(3 downto 0);
   signal leftright_found_1_memory_write_data : unsigned(2 downto 0);
+  signal leftright_found_0_memory_read_enable : boolean;
+  signal leftright_found_0_memory_read_address : unsigned(3 downto 0);
+  signal leftright_found_0_memory_write_address : unsigned(3 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
+  signal leftright_held_0_memory_read_enable : boolean;
+  signal leftright_held_0_memory_read_address : unsigned(2 downto 0);
+  signal leftright_held_0_memory_write_address : unsigned(2 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(20 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(20 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_left_right_threshold <= to_integer(unsigned(left_right_threshold));
-  in_uniqueness_percent <= to_integer(unsigned(uniqueness_percent));
-  in_texture_threshold <= to_integer(unsigned(texture_threshold));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_left_right_threshold <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_right_threshold))));
+  in_uniqueness_percent <= to_integer(unsigned(to_stdlogicvector(to_bitvector(uniqueness_percent))));
+  in_texture_threshold <= to_integer(unsigned(to_stdlogicvector(to_bitvector(texture_threshold))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_1, 16) & to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_1), 1) & to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 24);
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 24);
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
+  map_rows_read_words_1_memory_read_enable <= true;
+  map_rows_read_words_1_memory_read_address <= to_unsigned(map_counter_column, 5);
+  map_rows_read_words_1_memory_write_address <= to_unsigned(map_at_column, 5);
   map_rows_read_words_1_memory_write_data <= to_unsigned((map_rows_write_words_1 mod 8192), 13);
   map_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 24, width => 13)
+    generic map (depth => 24, width => 13, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_1,
-      write_address => map_at_column, write_data => map_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_1_memory_read_enable,
+      read_address => map_rows_read_words_1_memory_read_address, read_data => map_rows_read_words_1,
+      write_address => map_rows_read_words_1_memory_write_address, write_data => map_rows_read_words_1_memory_write_data);
 
+  map_rows_read_words_0_memory_read_enable <= true;
+  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 5);
+  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 5);
   map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 26)
+    generic map (depth => 24, width => 26, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
+      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
+      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
 
+  leftright_found_1_memory_read_enable <= true;
+  leftright_found_1_memory_read_address <= to_unsigned(leftright_address_1, 4);
+  leftright_found_1_memory_write_address <= to_unsigned(leftright_position, 4);
   leftright_found_1_memory_write_data <= to_unsigned(leftright_other_13_1, 3);
   leftright_found_1_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
+    generic map (depth => 16, width => 3, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_1, read_data => leftright_found_1,
-      write_address => leftright_position, write_data => leftright_found_1_memory_write_data);
+      clock => clock, read_enable => leftright_found_1_memory_read_enable,
+      read_address => leftright_found_1_memory_read_address, read_data => leftright_found_1,
+      write_address => leftright_found_1_memory_write_address, write_data => leftright_found_1_memory_write_data);
 
+  leftright_found_0_memory_read_enable <= true;
+  leftright_found_0_memory_read_address <= to_unsigned(leftright_address_0, 4);
+  leftright_found_0_memory_write_address <= to_unsigned(leftright_position, 4);
   leftright_found_0_memory_write_data <= to_unsigned(leftright_other_13_0, 3);
   leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
+    generic map (depth => 16, width => 3, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+      clock => clock, read_enable => leftright_found_0_memory_read_enable,
+      read_address => leftright_found_0_memory_read_address, read_data => leftright_found_0,
+      write_address => leftright_found_0_memory_write_address, write_data => leftright_found_0_memory_write_data);
 
+  leftright_held_0_memory_read_enable <= true;
+  leftright_held_0_memory_read_address <= to_unsigned(leftright_ring_read_address, 3);
+  leftright_held_0_memory_write_address <= to_unsigned(leftright_ring_write_address, 3);
   leftright_held_0_memory_write_data <= ((to_unsigned(refinement_fraction_1, 5) & to_unsigned(as_number(refinement_tag_11_end_of_line), 24) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1)) or (to_unsigned(as_number(refinement_passed_11_1), 6) & to_unsigned(to_integer(((((to_unsigned(refinement_disparity_11_1, 3) & to_unsigned(0, 18)) or (to_unsigned(refinement_fraction_0, 8) & to_unsigned(0, 13)))) or (to_unsigned(as_number(refinement_passed_11_0), 9) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(0, 4)))), 26)));
   leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 32)
+    generic map (depth => 8, width => 32, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+      clock => clock, read_enable => leftright_held_0_memory_read_enable,
+      read_address => leftright_held_0_memory_read_address, read_data => leftright_held_0,
+      write_address => leftright_held_0_memory_write_address, write_data => leftright_held_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned((rows_search_rows_write_words_0 mod 2097152), 21);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 21)
+    generic map (depth => 32, width => 21, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned((rows_reference_rows_write_words_0 mod 2097152), 21);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 21)
+    generic map (depth => 32, width => 21, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable settings_texture_threshold_any, transform_counter_group_is_equal : boolean;
@@ -776,41 +830,75 @@ begin
       transform_counter_group_is_equal_2 := transform_counter_group = 7;
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
       transform_counter_group_is_equal_3 := (transform_counter_group / 2) = 4;
-      transform_counter_group_choice := in_valid and (not ((transform_counter_group mod 2) = 1)) when
-        transform_counter_group_is_equal_3 else in_valid;
-      transform_counter_group_choice_2 := 1 when transform_counter_next_frame and (transform_counter_group = 8) else
-        (transform_counter_group + 1) mod 16;
-      transform_counter_group_choice_3 := transform_counter_group_choice_2 when transform_counter_group_is_equal and
-        transform_counter_group_choice else transform_counter_group;
+      if transform_counter_group_is_equal_3 then
+        transform_counter_group_choice := in_valid and (not ((transform_counter_group mod 2) = 1));
+      else
+        transform_counter_group_choice := in_valid;
+      end if;
+      if transform_counter_next_frame and (transform_counter_group = 8) then
+        transform_counter_group_choice_2 := 1;
+      else
+        transform_counter_group_choice_2 := (transform_counter_group + 1) mod 16;
+      end if;
+      if transform_counter_group_is_equal and transform_counter_group_choice then
+        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+      else
+        transform_counter_group_choice_3 := transform_counter_group;
+      end if;
       transform_read_row_inside_0_value := ((transform_counter_group / 4) mod 2) = 1;
       transform_read_row_inside_0_differs := (((transform_counter_group / 2) mod 2) = 1) /= ((transform_counter_group /
         8) = 1);
-      transform_read_row_inside_1_choice := not ((transform_counter_group / 8) = 1) when (transform_counter_group mod
-        2) = 1 else transform_read_row_inside_0_differs;
+      if (transform_counter_group mod 2) = 1 then
+        transform_read_row_inside_1_choice := not ((transform_counter_group / 8) = 1);
+      else
+        transform_read_row_inside_1_choice := transform_read_row_inside_0_differs;
+      end if;
       transform_read_column_inside_0_differs := (transform_counter_column / 2) /= 0;
-      transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
-        (transform_left_filter_slope_0 + 31) mod 128;
-      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-31) else
-        transform_left_filter_feature_0_choice;
-      transform_left_filter_feature_1_choice := 62 when 31 < transform_left_filter_slope_1 else
-        (transform_left_filter_slope_1 + 31) mod 256;
-      transform_left_filter_feature_1_choice_2 := 0 when transform_left_filter_slope_1 < (-31) else
-        transform_left_filter_feature_1_choice;
-      transform_right_filter_feature_0_choice := 62 when 31 < transform_right_filter_slope_0 else
-        (transform_right_filter_slope_0 + 31) mod 65536;
-      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-31) else
-        transform_right_filter_feature_0_choice;
-      transform_right_filter_feature_1_choice := 62 when 31 < transform_right_filter_slope_1 else
-        (transform_right_filter_slope_1 + 31) mod 256;
-      transform_right_filter_feature_1_choice_2 := 0 when transform_right_filter_slope_1 < (-31) else
-        transform_right_filter_feature_1_choice;
+      if 31 < transform_left_filter_slope_0 then
+        transform_left_filter_feature_0_choice := 62;
+      else
+        transform_left_filter_feature_0_choice := (transform_left_filter_slope_0 + 31) mod 128;
+      end if;
+      if transform_left_filter_slope_0 < (-31) then
+        transform_left_filter_feature_0_choice_2 := 0;
+      else
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      end if;
+      if 31 < transform_left_filter_slope_1 then
+        transform_left_filter_feature_1_choice := 62;
+      else
+        transform_left_filter_feature_1_choice := (transform_left_filter_slope_1 + 31) mod 256;
+      end if;
+      if transform_left_filter_slope_1 < (-31) then
+        transform_left_filter_feature_1_choice_2 := 0;
+      else
+        transform_left_filter_feature_1_choice_2 := transform_left_filter_feature_1_choice;
+      end if;
+      if 31 < transform_right_filter_slope_0 then
+        transform_right_filter_feature_0_choice := 62;
+      else
+        transform_right_filter_feature_0_choice := (transform_right_filter_slope_0 + 31) mod 65536;
+      end if;
+      if transform_right_filter_slope_0 < (-31) then
+        transform_right_filter_feature_0_choice_2 := 0;
+      else
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      end if;
+      if 31 < transform_right_filter_slope_1 then
+        transform_right_filter_feature_1_choice := 62;
+      else
+        transform_right_filter_feature_1_choice := (transform_right_filter_slope_1 + 31) mod 256;
+      end if;
+      if transform_right_filter_slope_1 < (-31) then
+        transform_right_filter_feature_1_choice_2 := 0;
+      else
+        transform_right_filter_feature_1_choice_2 := transform_right_filter_feature_1_choice;
+      end if;
       transform_left_0 <= in_left_pixel mod 256;
       transform_left_1 <= in_left_pixel / 256;
       transform_right_0 <= in_right_pixel mod 256;
       transform_right_1 <= in_right_pixel / 256;
       transform_valid <= in_valid;
-      transform_counter_group <= as_number(transform_counter_group_all) * 8 when in_valid and in_start_of_frame else
-        transform_counter_group_choice_3;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_read_newest_1 <= transform_left_1;
       transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
@@ -822,10 +910,6 @@ begin
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_right_rows_ready_newest_1 <= transform_right_rows_read_newest_1;
       transform_read_column <= transform_counter_column;
-      transform_read_row_inside_0 <= not ((transform_counter_group / 8) = 1) when transform_read_row_inside_0_value
-        else transform_read_row_inside_0_differs;
-      transform_read_row_inside_1 <= not ((transform_counter_group / 8) = 1) when transform_read_row_inside_0_value
-        else transform_read_row_inside_1_choice;
       transform_read_row_inside_3 <= not ((transform_counter_group / 8) = 1);
       transform_read_column_inside_0 <= transform_read_column_inside_0_differs or ((transform_counter_column mod 2) =
         1);
@@ -860,16 +944,8 @@ begin
       transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
       transform_left_filter_slope_1 <= transform_left_filter_column_0_1 - transform_left_filter_column_2_1;
       transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
-      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
-        31;
-      transform_left_filter_feature_1 <= transform_left_filter_feature_1_choice_2 when transform_left_filter_whole else
-        31;
       transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
       transform_right_filter_slope_1 <= transform_right_filter_column_0_1 - transform_right_filter_column_2_1;
-      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
-        else 31;
-      transform_right_filter_feature_1 <= transform_right_filter_feature_1_choice_2 when transform_left_filter_whole
-        else 31;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -878,16 +954,51 @@ begin
       transform_filtering_1_valid <= transform_filtering_0_valid;
       transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
       transform_filtering_2_valid <= transform_filtering_1_valid;
-      transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1)
-        when transform_counter_group_is_equal_3 else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
-        transform_counter_group_is_equal else transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= as_number(transform_counter_group_all) * 8;
+      else
+        transform_counter_group <= transform_counter_group_choice_3;
+      end if;
+      if transform_read_row_inside_0_value then
+        transform_read_row_inside_0 <= not ((transform_counter_group / 8) = 1);
+        transform_read_row_inside_1 <= not ((transform_counter_group / 8) = 1);
+      else
+        transform_read_row_inside_0 <= transform_read_row_inside_0_differs;
+        transform_read_row_inside_1 <= transform_read_row_inside_1_choice;
+      end if;
+      if transform_left_filter_whole then
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2;
+        transform_left_filter_feature_1 <= transform_left_filter_feature_1_choice_2;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2;
+        transform_right_filter_feature_1 <= transform_right_filter_feature_1_choice_2;
+      else
+        transform_left_filter_feature_0 <= 31;
+        transform_left_filter_feature_1 <= 31;
+        transform_right_filter_feature_0 <= 31;
+        transform_right_filter_feature_1 <= 31;
+      end if;
+      if transform_counter_group_is_equal_3 then
+        transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1);
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
+      if transform_counter_group_is_equal then
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
+      else
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
-          (transform_counter_column + 1) mod 32;
-        transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame) when
-          transform_counter_next_frame_choice_2 else transform_counter_group_is_equal and
-          transform_counter_group_is_equal_2 and in_start_of_frame;
+        if transform_counter_group_is_equal or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 32;
+        end if;
+        if transform_counter_next_frame_choice_2 then
+          transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame);
+        else
+          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_words_0 / 65536) +
@@ -896,30 +1007,66 @@ begin
           (transform_right_rows_ready_newest_0 * 256) + (transform_right_rows_ready_newest_1 * 65536);
         transform_write_column <= transform_ready_column;
       end if;
-      transform_left_filter_column_0_0_choice := transform_left_column_0 when transform_columns_row_inside_0 else
-        transform_left_column_2;
-      transform_left_filter_column_0_0_choice_2 := transform_left_column_2 when transform_columns_row_inside_1 else
-        transform_left_column_0;
-      transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_left_column_0 mod 2) = 1;
-      transform_left_filter_column_0_1_choice := transform_left_column_1 when transform_columns_row_inside_1 else
-        transform_left_column_3;
-      transform_left_filter_column_0_1_choice_2 := transform_left_column_3 when transform_columns_row_inside_3 else
-        transform_left_column_1;
-      transform_left_filter_column_0_1_choice_3 := (transform_left_column_3 mod 2) = 1 when
-        transform_columns_row_inside_3 else (transform_left_column_1 mod 2) = 1;
-      transform_right_filter_column_0_0_choice := transform_right_column_0 when transform_columns_row_inside_0 else
-        transform_right_column_2;
-      transform_right_filter_column_0_0_choice_2 := transform_right_column_2 when transform_columns_row_inside_1 else
-        transform_right_column_0;
-      transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_right_column_0 mod 2) = 1;
-      transform_right_filter_column_0_1_choice := transform_right_column_1 when transform_columns_row_inside_1 else
-        transform_right_column_3;
-      transform_right_filter_column_0_1_choice_2 := transform_right_column_3 when transform_columns_row_inside_3 else
-        transform_right_column_1;
-      transform_right_filter_column_0_1_choice_3 := (transform_right_column_3 mod 2) = 1 when
-        transform_columns_row_inside_3 else (transform_right_column_1 mod 2) = 1;
+      if transform_columns_row_inside_0 then
+        transform_left_filter_column_0_0_choice := transform_left_column_0;
+      else
+        transform_left_filter_column_0_0_choice := transform_left_column_2;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_2;
+      else
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_0;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1;
+      else
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_0 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_1_choice := transform_left_column_1;
+      else
+        transform_left_filter_column_0_1_choice := transform_left_column_3;
+      end if;
+      if transform_columns_row_inside_3 then
+        transform_left_filter_column_0_1_choice_2 := transform_left_column_3;
+      else
+        transform_left_filter_column_0_1_choice_2 := transform_left_column_1;
+      end if;
+      if transform_columns_row_inside_3 then
+        transform_left_filter_column_0_1_choice_3 := (transform_left_column_3 mod 2) = 1;
+      else
+        transform_left_filter_column_0_1_choice_3 := (transform_left_column_1 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_0 then
+        transform_right_filter_column_0_0_choice := transform_right_column_0;
+      else
+        transform_right_filter_column_0_0_choice := transform_right_column_2;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_2;
+      else
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_0;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1;
+      else
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_0 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_1_choice := transform_right_column_1;
+      else
+        transform_right_filter_column_0_1_choice := transform_right_column_3;
+      end if;
+      if transform_columns_row_inside_3 then
+        transform_right_filter_column_0_1_choice_2 := transform_right_column_3;
+      else
+        transform_right_filter_column_0_1_choice_2 := transform_right_column_1;
+      end if;
+      if transform_columns_row_inside_3 then
+        transform_right_filter_column_0_1_choice_3 := (transform_right_column_3 mod 2) = 1;
+      else
+        transform_right_filter_column_0_1_choice_3 := (transform_right_column_1 mod 2) = 1;
+      end if;
       if transform_columns_valid then
         transform_left_filter_column_0_0 <= transform_left_filter_column_0_0_choice +
           (((transform_left_filter_column_0_0_choice_2 / 2) + transform_left_column_1) * 2) +
@@ -947,39 +1094,70 @@ begin
       raster_place_group_is_equal_2 := raster_place_column = 31;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 4;
-      raster_place_group_choice := raster_place_group_is_equal_2 and transform_filtering_2_valid and (not
-        ((raster_place_group mod 2) = 1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and
-        transform_filtering_2_valid;
-      raster_place_group_choice_2 := 1 when raster_place_next_frame and (raster_place_group = 8) else
-        (raster_place_group + 1) mod 16;
-      raster_place_group_choice_3 := raster_place_group_choice_2 when raster_place_group_choice else raster_place_group;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
-        raster_place_next_frame;
-      raster_place_next_frame_choice_3 := transform_filtering_2_valid when raster_place_group_all else
-        transform_filtering_2_valid and (not transform_filtering_2_start_of_frame);
-      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
-        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_2_valid and
-        transform_filtering_2_start_of_frame;
+      if raster_place_group_is_equal_3 then
+        raster_place_group_choice := raster_place_group_is_equal_2 and transform_filtering_2_valid and (not
+          ((raster_place_group mod 2) = 1));
+      else
+        raster_place_group_choice := raster_place_group_is_equal_2 and transform_filtering_2_valid;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 8) then
+        raster_place_group_choice_2 := 1;
+      else
+        raster_place_group_choice_2 := (raster_place_group + 1) mod 16;
+      end if;
+      if raster_place_group_choice then
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      else
+        raster_place_group_choice_3 := raster_place_group;
+      end if;
+      if raster_place_group_is_equal_2 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
+      if raster_place_group_all then
+        raster_place_next_frame_choice_3 := transform_filtering_2_valid;
+      else
+        raster_place_next_frame_choice_3 := transform_filtering_2_valid and (not transform_filtering_2_start_of_frame);
+      end if;
+      if raster_place_next_frame_choice_2 then
+        raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3;
+      else
+        raster_place_next_frame_choice_4 := raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          transform_filtering_2_valid and transform_filtering_2_start_of_frame;
+      end if;
       raster_features_search_0 <= transform_right_filter_feature_0 mod 32768;
       raster_features_search_1 <= transform_right_filter_feature_1;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_reference_1 <= transform_left_filter_feature_1;
       raster_features_valid <= transform_filtering_2_valid;
-      raster_place_group <= as_number(raster_place_group_all) * 8 when transform_filtering_2_valid and
-        transform_filtering_2_start_of_frame else raster_place_group_choice_3;
       raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_2_valid) and
         raster_place_next_frame);
+      if transform_filtering_2_valid and transform_filtering_2_start_of_frame then
+        raster_place_group <= as_number(raster_place_group_all) * 8;
+      else
+        raster_place_group <= raster_place_group_choice_3;
+      end if;
       if transform_filtering_2_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal_2 or transform_filtering_2_start_of_frame else
-          (raster_place_column + 1) mod 32;
+        if raster_place_group_is_equal_2 or transform_filtering_2_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
       end if;
       -- delay
       delay_row_inside_0_value := ((raster_place_group / 4) mod 2) = 1;
       delay_row_inside_0_differs := (((raster_place_group / 2) mod 2) = 1) /= ((raster_place_group / 8) = 1);
-      delay_row_inside_1_choice := not ((raster_place_group / 8) = 1) when (raster_place_group mod 2) = 1 else
-        delay_row_inside_0_differs;
+      if (raster_place_group mod 2) = 1 then
+        delay_row_inside_1_choice := not ((raster_place_group / 8) = 1);
+      else
+        delay_row_inside_1_choice := delay_row_inside_0_differs;
+      end if;
       delay_tag_map_column_is_less := (((((raster_place_column / 8) + 8191) mod 8192) * 8) + (raster_place_column mod
         8)) < 24;
       delay_tag_first_column_is_equal := raster_place_column = 8;
@@ -988,20 +1166,26 @@ begin
       delay_delayed_0 <= to_integer(((to_unsigned(raster_features_search_1, 8) & to_unsigned(0, 7)) or
         (to_unsigned(raster_features_search_0, 15))));
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= not ((raster_place_group / 8) = 1) when delay_row_inside_0_value else
-        delay_row_inside_0_differs;
-      delay_row_inside_1 <= not ((raster_place_group / 8) = 1) when delay_row_inside_0_value else
-        delay_row_inside_1_choice;
       delay_row_inside_3 <= not ((raster_place_group / 8) = 1);
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
-        (raster_place_column / 8) = 0;
       delay_tag_map_column <= delay_tag_map_column_is_less;
       delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 9) and
         delay_tag_map_column_is_less;
       delay_tag_first_column <= delay_tag_first_column_is_equal;
       delay_tag_start_of_frame <= delay_tag_first_column_is_equal and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_group_is_equal_2;
+      if delay_row_inside_0_value then
+        delay_row_inside_0 <= not ((raster_place_group / 8) = 1);
+        delay_row_inside_1 <= not ((raster_place_group / 8) = 1);
+      else
+        delay_row_inside_0 <= delay_row_inside_0_differs;
+        delay_row_inside_1 <= delay_row_inside_1_choice;
+      end if;
+      if (raster_place_column mod 4) = 3 then
+        delay_tag_border_column <= (raster_place_column / 4) = 0;
+      else
+        delay_tag_border_column <= (raster_place_column / 8) = 0;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0 mod 128;
       rows_search_rows_read_newest_1 <= delay_delayed_0 / 128;
@@ -1035,14 +1219,6 @@ begin
       rows_ready_tag_first_column <= rows_read_tag_first_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_search_1 <= (rows_search_rows_ready_words_0 / 128) mod 128 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_words_0 / 16384 when rows_ready_inside_1 else 0;
-      rows_search_3 <= rows_search_rows_ready_newest_0 when rows_ready_inside_3 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= (rows_reference_rows_ready_words_0 / 128) mod 128 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_words_0 / 16384 when rows_ready_inside_1 else 0;
-      rows_reference_3 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_3 else 0;
       rows_inside_0 <= rows_ready_inside_0;
       rows_inside_1 <= rows_ready_inside_1;
       rows_inside_3 <= rows_ready_inside_3;
@@ -1053,6 +1229,31 @@ begin
       rows_tag_first_column <= rows_ready_tag_first_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 128;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= (rows_search_rows_ready_words_0 / 128) mod 128;
+        rows_search_2 <= rows_search_rows_ready_words_0 / 16384;
+        rows_reference_1 <= (rows_reference_rows_ready_words_0 / 128) mod 128;
+        rows_reference_2 <= rows_reference_rows_ready_words_0 / 16384;
+      else
+        rows_search_1 <= 0;
+        rows_search_2 <= 0;
+        rows_reference_1 <= 0;
+        rows_reference_2 <= 0;
+      end if;
+      if rows_ready_inside_3 then
+        rows_search_3 <= rows_search_rows_ready_newest_0;
+        rows_reference_3 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_3 <= 0;
+        rows_reference_3 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 16384) + (rows_search_rows_ready_newest_0 *
           128) + (rows_search_rows_ready_newest_1 * 16384);
@@ -1168,18 +1369,6 @@ begin
       slice0cost_pair_tag_first_column <= slice0cost_difference_tag_first_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0) mod 256;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1) mod 256;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2) mod 256;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_3_0) mod 256;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_3_1) mod 256;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_3_2) mod 256;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
@@ -1187,6 +1376,27 @@ begin
       slice0cost_tag_first_column <= slice0cost_pair_tag_first_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_1_0 <= 0;
+        slice0cost_column_1_1 <= 0;
+        slice0cost_column_1_2 <= 0;
+      else
+        slice0cost_column_0_0 <= (as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0) mod
+          256;
+        slice0cost_column_0_1 <= (as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1) mod
+          256;
+        slice0cost_column_0_2 <= (as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2) mod
+          256;
+        slice0cost_column_1_0 <= (as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_3_0) mod
+          256;
+        slice0cost_column_1_1 <= (as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_3_1) mod
+          256;
+        slice0cost_column_1_2 <= (as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_3_2) mod
+          256;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -1221,25 +1431,57 @@ begin
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0other
       slice0other_cost_0_1_all := slice0window_tag_output_column and slice0window_tag_first_column;
-      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0other_cost_0_0 - slice0window_sum_0_1)
-        >= 0 else slice0other_cost_0_1_all;
+      if (slice0other_cost_0_0 - slice0window_sum_0_1) >= 0 then
+        slice0other_cost_0_1_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_1_choice := slice0other_cost_0_1_all;
+      end if;
       slice0other_cost_0_2_all := slice0window_tag_output_column and (((slice0other_cost_0_1 - slice0window_sum_0_2) >=
         0) or slice0window_tag_first_column);
-      slice0other_cost_1_1_choice := slice0window_tag_output_column when (slice0other_cost_1_0 - slice0window_sum_1_1)
-        >= 0 else slice0other_cost_0_1_all;
-      slice0other_cost_1_2_choice := slice0window_tag_output_column when (slice0other_cost_1_1 - slice0window_sum_1_2)
-        >= 0 else slice0other_cost_0_1_all;
+      if (slice0other_cost_1_0 - slice0window_sum_1_1) >= 0 then
+        slice0other_cost_1_1_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_1_1_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0other_cost_1_1 - slice0window_sum_1_2) >= 0 then
+        slice0other_cost_1_2_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_1_2_choice := slice0other_cost_0_1_all;
+      end if;
       if slice0window_tag_valid then
-        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0window_tag_output_column else 0;
-        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_0;
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_all else slice0other_cost_0_1;
-        slice0other_cost_1_0 <= slice0window_sum_1_0 when slice0window_tag_output_column else 0;
-        slice0other_cost_1_1 <= slice0window_sum_1_1 when slice0other_cost_1_1_choice else slice0other_cost_1_0;
-        slice0other_cost_1_2 <= slice0window_sum_1_2 when slice0other_cost_1_2_choice else slice0other_cost_1_1;
         slice0other_winner_0_1 <= slice0other_cost_0_1_choice;
-        slice0other_winner_0_2 <= 2 when slice0other_cost_0_2_all else as_number(slice0other_winner_0_1);
         slice0other_winner_1_1 <= slice0other_cost_1_1_choice;
-        slice0other_winner_1_2 <= 2 when slice0other_cost_1_2_choice else as_number(slice0other_winner_1_1);
+        if slice0window_tag_output_column then
+          slice0other_cost_0_0 <= slice0window_sum_0_0;
+          slice0other_cost_1_0 <= slice0window_sum_1_0;
+        else
+          slice0other_cost_0_0 <= 0;
+          slice0other_cost_1_0 <= 0;
+        end if;
+        if slice0other_cost_0_1_choice then
+          slice0other_cost_0_1 <= slice0window_sum_0_1;
+        else
+          slice0other_cost_0_1 <= slice0other_cost_0_0;
+        end if;
+        if slice0other_cost_0_2_all then
+          slice0other_cost_0_2 <= slice0window_sum_0_2;
+          slice0other_winner_0_2 <= 2;
+        else
+          slice0other_cost_0_2 <= slice0other_cost_0_1;
+          slice0other_winner_0_2 <= as_number(slice0other_winner_0_1);
+        end if;
+        if slice0other_cost_1_1_choice then
+          slice0other_cost_1_1 <= slice0window_sum_1_1;
+        else
+          slice0other_cost_1_1 <= slice0other_cost_1_0;
+        end if;
+        if slice0other_cost_1_2_choice then
+          slice0other_cost_1_2 <= slice0window_sum_1_2;
+          slice0other_winner_1_2 <= 2;
+        else
+          slice0other_cost_1_2 <= slice0other_cost_1_1;
+          slice0other_winner_1_2 <= as_number(slice0other_winner_1_1);
+        end if;
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0_2;
       slice0other_cost_out_1 <= slice0other_cost_1_2;
@@ -1254,17 +1496,9 @@ begin
       slice0winner1_held_1_0 <= slice0window_sum_1_0;
       slice0winner1_held_1_1 <= slice0window_sum_1_1;
       slice0winner1_held_1_2 <= slice0window_sum_1_2;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when (slice0window_sum_0_1 - slice0window_sum_0_0) < 0 else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when (slice0window_sum_1_1 - slice0window_sum_1_0) < 0 else
-        slice0window_sum_1_0;
       slice0winner1_best_index_0_0 <= slice0winner1_best_index_0_0_is_not_less;
       slice0winner1_best_index_0_1 <= 2;
       slice0winner1_best_index_1_0 <= slice0winner1_best_index_1_0_is_not_less;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_index_0_0_is_not_less else 0;
-      slice0winner1_best_below_1_0 <= slice0window_sum_1_0 when slice0winner1_best_index_1_0_is_not_less else 0;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_index_0_0_is_not_less else slice0window_sum_0_1;
-      slice0winner1_best_above_1_0 <= 0 when slice0winner1_best_index_1_0_is_not_less else slice0window_sum_1_1;
       slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
       slice0winner1_best_late_cost_0_1 <= slice0winner1_held_0_2;
       slice0winner1_best_late_cost_1_0 <= slice0winner1_best_cost_1_0;
@@ -1274,6 +1508,30 @@ begin
       slice0winner1_tag_valid <= slice0window_tag_valid;
       slice0winner1_tag_output_column <= slice1window_centre_output_column_0;
       slice0winner1_tag_first_column <= slice1window_centre_first_column_0;
+      if (slice0window_sum_0_1 - slice0window_sum_0_0) < 0 then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+      end if;
+      if (slice0window_sum_1_1 - slice0window_sum_1_0) < 0 then
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_1;
+      else
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_0;
+      end if;
+      if slice0winner1_best_index_0_0_is_not_less then
+        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+      end if;
+      if slice0winner1_best_index_1_0_is_not_less then
+        slice0winner1_best_below_1_0 <= slice0window_sum_1_0;
+        slice0winner1_best_above_1_0 <= 0;
+      else
+        slice0winner1_best_below_1_0 <= 0;
+        slice0winner1_best_above_1_0 <= slice0window_sum_1_1;
+      end if;
       if slice0winner1_tag_valid then
         slice0winner1_tag_map_column <= slice0window_tag_map_column;
         slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -1282,40 +1540,48 @@ begin
       -- slice0winner2
       slice0winner2_best_index_0_0_is_less := (slice0winner1_best_cost_0_0 - slice0winner1_held_0_2) < 0;
       slice0winner2_best_index_1_0_is_less := (slice0winner1_best_cost_1_0 - slice0winner1_held_1_2) < 0;
-      slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_above_1_0_choice := slice0winner1_held_1_2 when slice0winner1_best_index_1_0 else
-        slice0winner1_best_above_1_0;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
+      if slice0winner1_best_index_1_0 then
+        slice0winner2_best_above_1_0_choice := slice0winner1_held_1_2;
+      else
+        slice0winner2_best_above_1_0_choice := slice0winner1_best_above_1_0;
+      end if;
       slice0winner2_best_place_0_0_is_not_less := (slice0winner1_best_cost_0_0 - slice0winner1_held_0_2) >= 0;
       slice0winner2_best_place_1_0_is_not_less := (slice0winner1_best_cost_1_0 - slice0winner1_held_1_2) >= 0;
-      slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1 when (not slice0winner2_best_at_end_0_0)
-        and (not slice0winner2_best_place_0_0) else 1023;
-      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_place_0_0 else
-        1023;
-      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0 when slice0winner2_best_at_start_0_0
-        else slice0winner2_best_second_0_0_choice_2;
-      slice0winner2_best_second_1_0_choice := slice0winner1_best_late_cost_1_1 when (not slice0winner2_best_at_end_1_0)
-        and (not slice0winner2_best_place_1_0) else 1023;
-      slice0winner2_best_second_1_0_choice_2 := slice0winner1_best_late_cost_1_0 when slice0winner2_best_place_1_0 else
-        1023;
-      slice0winner2_best_second_1_0_choice_3 := slice0winner1_best_but_last_1_0 when slice0winner2_best_at_start_1_0
-        else slice0winner2_best_second_1_0_choice_2;
-      slice0winner2_best_cost_0_0 <= slice0winner1_held_0_2 when (slice0winner1_held_0_2 - slice0winner1_best_cost_0_0)
-        < 0 else slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0 <= slice0winner1_held_1_2 when (slice0winner1_held_1_2 - slice0winner1_best_cost_1_0)
-        < 0 else slice0winner1_best_cost_1_0;
-      slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0) when slice0winner2_best_index_0_0_is_less
-        else slice0winner1_best_index_0_1;
-      slice0winner2_best_index_1_0 <= as_number(slice0winner1_best_index_1_0) when slice0winner2_best_index_1_0_is_less
-        else slice0winner1_best_index_0_1;
-      slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0 when slice0winner2_best_index_0_0_is_less else
-        slice0winner1_held_0_1;
-      slice0winner2_best_below_1_0 <= slice0winner1_best_below_1_0 when slice0winner2_best_index_1_0_is_less else
-        slice0winner1_held_1_1;
-      slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice when slice0winner2_best_index_0_0_is_less
-        else 0;
-      slice0winner2_best_above_1_0 <= slice0winner2_best_above_1_0_choice when slice0winner2_best_index_1_0_is_less
-        else 0;
+      if (not slice0winner2_best_at_end_0_0) and (not slice0winner2_best_place_0_0) then
+        slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1;
+      else
+        slice0winner2_best_second_0_0_choice := 1023;
+      end if;
+      if slice0winner2_best_place_0_0 then
+        slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_2 := 1023;
+      end if;
+      if slice0winner2_best_at_start_0_0 then
+        slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_3 := slice0winner2_best_second_0_0_choice_2;
+      end if;
+      if (not slice0winner2_best_at_end_1_0) and (not slice0winner2_best_place_1_0) then
+        slice0winner2_best_second_1_0_choice := slice0winner1_best_late_cost_1_1;
+      else
+        slice0winner2_best_second_1_0_choice := 1023;
+      end if;
+      if slice0winner2_best_place_1_0 then
+        slice0winner2_best_second_1_0_choice_2 := slice0winner1_best_late_cost_1_0;
+      else
+        slice0winner2_best_second_1_0_choice_2 := 1023;
+      end if;
+      if slice0winner2_best_at_start_1_0 then
+        slice0winner2_best_second_1_0_choice_3 := slice0winner1_best_but_last_1_0;
+      else
+        slice0winner2_best_second_1_0_choice_3 := slice0winner2_best_second_1_0_choice_2;
+      end if;
       slice0winner2_best_place_0_0 <= slice0winner2_best_place_0_0_is_not_less;
       slice0winner2_best_place_1_0 <= slice0winner2_best_place_1_0_is_not_less;
       slice0winner2_best_at_start_0_0 <= slice0winner2_best_place_0_0_is_not_less and transform_read_column_inside_1;
@@ -1324,10 +1590,6 @@ begin
       slice0winner2_best_at_end_1_0 <= slice0winner1_best_index_1_0 and slice0winner2_best_index_1_0_is_less;
       slice0winner2_best_late_cost_0_0 <= slice0winner2_best_cost_0_0;
       slice0winner2_best_late_cost_1_0 <= slice0winner2_best_cost_1_0;
-      slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice when (slice0winner2_best_second_0_0_choice
-        - slice0winner2_best_second_0_0_choice_3) < 0 else slice0winner2_best_second_0_0_choice_3;
-      slice0winner2_best_second_1_0 <= slice0winner2_best_second_1_0_choice when (slice0winner2_best_second_1_0_choice
-        - slice0winner2_best_second_1_0_choice_3) < 0 else slice0winner2_best_second_1_0_choice_3;
       slice0winner2_best_but_last_0_0 <= slice0winner1_best_late_cost_0_0;
       slice0winner2_best_but_last_1_0 <= slice0winner1_best_late_cost_1_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
@@ -1336,6 +1598,44 @@ begin
       slice0winner2_tag_first_column <= slice1window_tag_first_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if (slice0winner1_held_0_2 - slice0winner1_best_cost_0_0) < 0 then
+        slice0winner2_best_cost_0_0 <= slice0winner1_held_0_2;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+      end if;
+      if (slice0winner1_held_1_2 - slice0winner1_best_cost_1_0) < 0 then
+        slice0winner2_best_cost_1_0 <= slice0winner1_held_1_2;
+      else
+        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+      end if;
+      if slice0winner2_best_index_0_0_is_less then
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      else
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner1_held_0_1;
+        slice0winner2_best_above_0_0 <= 0;
+      end if;
+      if slice0winner2_best_index_1_0_is_less then
+        slice0winner2_best_index_1_0 <= as_number(slice0winner1_best_index_1_0);
+        slice0winner2_best_below_1_0 <= slice0winner1_best_below_1_0;
+        slice0winner2_best_above_1_0 <= slice0winner2_best_above_1_0_choice;
+      else
+        slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_1_0 <= slice0winner1_held_1_1;
+        slice0winner2_best_above_1_0 <= 0;
+      end if;
+      if (slice0winner2_best_second_0_0_choice - slice0winner2_best_second_0_0_choice_3) < 0 then
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice;
+      else
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_3;
+      end if;
+      if (slice0winner2_best_second_1_0_choice - slice0winner2_best_second_1_0_choice_3) < 0 then
+        slice0winner2_best_second_1_0 <= slice0winner2_best_second_1_0_choice;
+      else
+        slice0winner2_best_second_1_0 <= slice0winner2_best_second_1_0_choice_3;
+      end if;
       -- slice0
       slice0_best_index_0_0 <= slice0winner2_best_index_0_0;
       slice0_best_index_1_0 <= slice0winner2_best_index_1_0;
@@ -1443,21 +1743,30 @@ begin
       slice1cost_single_3_0 <= (slice1cost_single_3_0_choice + as_number(slice1cost_single_3_0_is_less)) mod 256;
       slice1cost_single_3_1 <= (slice1cost_single_3_1_choice + as_number(slice1cost_single_3_1_is_less)) mod 256;
       slice1cost_single_3_2 <= (slice1cost_single_3_2_choice + as_number(slice1cost_single_3_2_is_less)) mod 256;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0) mod 256;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1) mod 256;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2) mod 256;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_3_0) mod 256;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_3_1) mod 256;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_3_2) mod 256;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
       slice1cost_tag_output_column <= slice0cost_tag_output_column;
       slice1cost_tag_first_column <= slice0cost_tag_first_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_1_0 <= 0;
+        slice1cost_column_1_1 <= 0;
+        slice1cost_column_1_2 <= 0;
+      else
+        slice1cost_column_0_0 <= (as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0) mod
+          256;
+        slice1cost_column_0_1 <= (as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1) mod
+          256;
+        slice1cost_column_0_2 <= (as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2) mod
+          256;
+        slice1cost_column_1_0 <= (as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_3_0) mod
+          256;
+        slice1cost_column_1_1 <= (as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_3_1) mod
+          256;
+        slice1cost_column_1_2 <= (as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_3_2) mod
+          256;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1487,31 +1796,76 @@ begin
       end if;
       -- slice1other
       slice1other_cost_0_0_any := (not slice0winner1_tag_output_column) or (not slice0winner1_tag_first_column);
-      slice1other_cost_0_0_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_0 -
-        slice1window_sum_0_0) >= 0 else slice1other_cost_0_0_any;
-      slice1other_cost_0_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_0_0 -
-        slice1window_sum_0_1) >= 0 else slice1other_cost_0_0_any;
+      if (slice0other_cost_out_0 - slice1window_sum_0_0) >= 0 then
+        slice1other_cost_0_0_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_0_choice := slice1other_cost_0_0_any;
+      end if;
+      if (slice1other_cost_0_0 - slice1window_sum_0_1) >= 0 then
+        slice1other_cost_0_1_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_1_choice := slice1other_cost_0_0_any;
+      end if;
       slice1other_cost_0_2_any := (not slice0winner1_tag_output_column) or ((not slice0winner1_tag_first_column) and
         ((slice1other_cost_0_1 - slice1window_sum_0_2) < 0));
-      slice1other_cost_1_0_choice := not slice0winner1_tag_output_column when (slice0other_cost_out_1 -
-        slice1window_sum_1_0) >= 0 else slice1other_cost_0_0_any;
-      slice1other_cost_1_1_choice := not slice0winner1_tag_output_column when (slice1other_cost_1_0 -
-        slice1window_sum_1_1) >= 0 else slice1other_cost_0_0_any;
-      slice1other_cost_1_2_choice := not slice0winner1_tag_output_column when (slice1other_cost_1_1 -
-        slice1window_sum_1_2) >= 0 else slice1other_cost_0_0_any;
+      if (slice0other_cost_out_1 - slice1window_sum_1_0) >= 0 then
+        slice1other_cost_1_0_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_1_0_choice := slice1other_cost_0_0_any;
+      end if;
+      if (slice1other_cost_1_0 - slice1window_sum_1_1) >= 0 then
+        slice1other_cost_1_1_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_1_1_choice := slice1other_cost_0_0_any;
+      end if;
+      if (slice1other_cost_1_1 - slice1window_sum_1_2) >= 0 then
+        slice1other_cost_1_2_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_1_2_choice := slice1other_cost_0_0_any;
+      end if;
       if slice0winner1_tag_valid then
-        slice1other_cost_0_0 <= slice0other_cost_out_0 when slice1other_cost_0_0_choice else slice1window_sum_0_0;
-        slice1other_cost_0_1 <= slice1other_cost_0_0 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
-        slice1other_cost_0_2 <= slice1other_cost_0_1 when slice1other_cost_0_2_any else slice1window_sum_0_2;
-        slice1other_cost_1_0 <= slice0other_cost_out_1 when slice1other_cost_1_0_choice else slice1window_sum_1_0;
-        slice1other_cost_1_1 <= slice1other_cost_1_0 when slice1other_cost_1_1_choice else slice1window_sum_1_1;
-        slice1other_cost_1_2 <= slice1other_cost_1_1 when slice1other_cost_1_2_choice else slice1window_sum_1_2;
-        slice1other_winner_0_0 <= slice0other_winner_out_0 when slice1other_cost_0_0_choice else 3;
-        slice1other_winner_0_1 <= slice1other_winner_0_0 when slice1other_cost_0_1_choice else 4;
-        slice1other_winner_0_2 <= slice1other_winner_0_1 when slice1other_cost_0_2_any else 5;
-        slice1other_winner_1_0 <= slice0other_winner_out_1 when slice1other_cost_1_0_choice else 3;
-        slice1other_winner_1_1 <= slice1other_winner_1_0 when slice1other_cost_1_1_choice else 4;
-        slice1other_winner_1_2 <= slice1other_winner_1_1 when slice1other_cost_1_2_choice else 5;
+        if slice1other_cost_0_0_choice then
+          slice1other_cost_0_0 <= slice0other_cost_out_0;
+          slice1other_winner_0_0 <= slice0other_winner_out_0;
+        else
+          slice1other_cost_0_0 <= slice1window_sum_0_0;
+          slice1other_winner_0_0 <= 3;
+        end if;
+        if slice1other_cost_0_1_choice then
+          slice1other_cost_0_1 <= slice1other_cost_0_0;
+          slice1other_winner_0_1 <= slice1other_winner_0_0;
+        else
+          slice1other_cost_0_1 <= slice1window_sum_0_1;
+          slice1other_winner_0_1 <= 4;
+        end if;
+        if slice1other_cost_0_2_any then
+          slice1other_cost_0_2 <= slice1other_cost_0_1;
+          slice1other_winner_0_2 <= slice1other_winner_0_1;
+        else
+          slice1other_cost_0_2 <= slice1window_sum_0_2;
+          slice1other_winner_0_2 <= 5;
+        end if;
+        if slice1other_cost_1_0_choice then
+          slice1other_cost_1_0 <= slice0other_cost_out_1;
+          slice1other_winner_1_0 <= slice0other_winner_out_1;
+        else
+          slice1other_cost_1_0 <= slice1window_sum_1_0;
+          slice1other_winner_1_0 <= 3;
+        end if;
+        if slice1other_cost_1_1_choice then
+          slice1other_cost_1_1 <= slice1other_cost_1_0;
+          slice1other_winner_1_1 <= slice1other_winner_1_0;
+        else
+          slice1other_cost_1_1 <= slice1window_sum_1_1;
+          slice1other_winner_1_1 <= 4;
+        end if;
+        if slice1other_cost_1_2_choice then
+          slice1other_cost_1_2 <= slice1other_cost_1_1;
+          slice1other_winner_1_2 <= slice1other_winner_1_1;
+        else
+          slice1other_cost_1_2 <= slice1window_sum_1_2;
+          slice1other_winner_1_2 <= 5;
+        end if;
       end if;
       slice1other_cost_out_0 <= slice1other_cost_0_2;
       slice1other_cost_out_1 <= slice1other_cost_1_2;
@@ -1526,16 +1880,8 @@ begin
       slice1winner1_held_1_0 <= slice1window_sum_1_0;
       slice1winner1_held_1_1 <= slice1window_sum_1_1;
       slice1winner1_held_1_2 <= slice1window_sum_1_2;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when (slice1window_sum_0_1 - slice1window_sum_0_0) < 0 else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when (slice1window_sum_1_1 - slice1window_sum_1_0) < 0 else
-        slice1window_sum_1_0;
       slice1winner1_best_index_0_0 <= slice1winner1_best_index_0_0_is_not_less;
       slice1winner1_best_index_1_0 <= slice1winner1_best_index_1_0_is_not_less;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_index_0_0_is_not_less else 0;
-      slice1winner1_best_below_1_0 <= slice1window_sum_1_0 when slice1winner1_best_index_1_0_is_not_less else 0;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_index_0_0_is_not_less else slice1window_sum_0_1;
-      slice1winner1_best_above_1_0 <= 0 when slice1winner1_best_index_1_0_is_not_less else slice1window_sum_1_1;
       slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
       slice1winner1_best_late_cost_0_1 <= slice1winner1_held_0_2;
       slice1winner1_best_late_cost_1_0 <= slice1winner1_best_cost_1_0;
@@ -1544,43 +1890,75 @@ begin
       slice1winner1_best_but_first_1_0 <= slice1winner1_held_1_1;
       slice1winner1_best_but_last_0_0 <= slice1winner1_held_0_0;
       slice1winner1_best_but_last_1_0 <= slice1winner1_held_1_0;
+      if (slice1window_sum_0_1 - slice1window_sum_0_0) < 0 then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+      end if;
+      if (slice1window_sum_1_1 - slice1window_sum_1_0) < 0 then
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_1;
+      else
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_0;
+      end if;
+      if slice1winner1_best_index_0_0_is_not_less then
+        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+      end if;
+      if slice1winner1_best_index_1_0_is_not_less then
+        slice1winner1_best_below_1_0 <= slice1window_sum_1_0;
+        slice1winner1_best_above_1_0 <= 0;
+      else
+        slice1winner1_best_below_1_0 <= 0;
+        slice1winner1_best_above_1_0 <= slice1window_sum_1_1;
+      end if;
       -- slice1winner2
       slice1winner2_best_index_0_0_is_less := (slice1winner1_best_cost_0_0 - slice1winner1_held_0_2) < 0;
       slice1winner2_best_index_1_0_is_less := (slice1winner1_best_cost_1_0 - slice1winner1_held_1_2) < 0;
-      slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_above_1_0_choice := slice1winner1_held_1_2 when slice1winner1_best_index_1_0 else
-        slice1winner1_best_above_1_0;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
+      if slice1winner1_best_index_1_0 then
+        slice1winner2_best_above_1_0_choice := slice1winner1_held_1_2;
+      else
+        slice1winner2_best_above_1_0_choice := slice1winner1_best_above_1_0;
+      end if;
       slice1winner2_best_place_0_0_is_not_less := (slice1winner1_best_cost_0_0 - slice1winner1_held_0_2) >= 0;
       slice1winner2_best_place_1_0_is_not_less := (slice1winner1_best_cost_1_0 - slice1winner1_held_1_2) >= 0;
-      slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1 when (not slice1winner2_best_at_end_0_0)
-        and (not slice1winner2_best_place_0_0) else 1023;
-      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_place_0_0 else
-        1023;
-      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0 when slice1winner2_best_at_start_0_0
-        else slice1winner2_best_second_0_0_choice_2;
-      slice1winner2_best_second_1_0_choice := slice1winner1_best_late_cost_1_1 when (not slice1winner2_best_at_end_1_0)
-        and (not slice1winner2_best_place_1_0) else 1023;
-      slice1winner2_best_second_1_0_choice_2 := slice1winner1_best_late_cost_1_0 when slice1winner2_best_place_1_0 else
-        1023;
-      slice1winner2_best_second_1_0_choice_3 := slice1winner1_best_but_last_1_0 when slice1winner2_best_at_start_1_0
-        else slice1winner2_best_second_1_0_choice_2;
-      slice1winner2_best_cost_0_0 <= slice1winner1_held_0_2 when (slice1winner1_held_0_2 - slice1winner1_best_cost_0_0)
-        < 0 else slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_held_1_2 when (slice1winner1_held_1_2 - slice1winner1_best_cost_1_0)
-        < 0 else slice1winner1_best_cost_1_0;
-      slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0) when slice1winner2_best_index_0_0_is_less
-        else slice0winner1_best_index_0_1;
-      slice1winner2_best_index_1_0 <= as_number(slice1winner1_best_index_1_0) when slice1winner2_best_index_1_0_is_less
-        else slice0winner1_best_index_0_1;
-      slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0 when slice1winner2_best_index_0_0_is_less else
-        slice1winner1_held_0_1;
-      slice1winner2_best_below_1_0 <= slice1winner1_best_below_1_0 when slice1winner2_best_index_1_0_is_less else
-        slice1winner1_held_1_1;
-      slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice when slice1winner2_best_index_0_0_is_less
-        else 0;
-      slice1winner2_best_above_1_0 <= slice1winner2_best_above_1_0_choice when slice1winner2_best_index_1_0_is_less
-        else 0;
+      if (not slice1winner2_best_at_end_0_0) and (not slice1winner2_best_place_0_0) then
+        slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1;
+      else
+        slice1winner2_best_second_0_0_choice := 1023;
+      end if;
+      if slice1winner2_best_place_0_0 then
+        slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_2 := 1023;
+      end if;
+      if slice1winner2_best_at_start_0_0 then
+        slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_3 := slice1winner2_best_second_0_0_choice_2;
+      end if;
+      if (not slice1winner2_best_at_end_1_0) and (not slice1winner2_best_place_1_0) then
+        slice1winner2_best_second_1_0_choice := slice1winner1_best_late_cost_1_1;
+      else
+        slice1winner2_best_second_1_0_choice := 1023;
+      end if;
+      if slice1winner2_best_place_1_0 then
+        slice1winner2_best_second_1_0_choice_2 := slice1winner1_best_late_cost_1_0;
+      else
+        slice1winner2_best_second_1_0_choice_2 := 1023;
+      end if;
+      if slice1winner2_best_at_start_1_0 then
+        slice1winner2_best_second_1_0_choice_3 := slice1winner1_best_but_last_1_0;
+      else
+        slice1winner2_best_second_1_0_choice_3 := slice1winner2_best_second_1_0_choice_2;
+      end if;
       slice1winner2_best_first_0_0 <= slice1winner1_held_0_0;
       slice1winner2_best_first_1_0 <= slice1winner1_held_1_0;
       slice1winner2_best_place_0_0 <= slice1winner2_best_place_0_0_is_not_less;
@@ -1591,65 +1969,125 @@ begin
       slice1winner2_best_at_end_1_0 <= slice1winner1_best_index_1_0 and slice1winner2_best_index_1_0_is_less;
       slice1winner2_best_late_cost_0_0 <= slice1winner2_best_cost_0_0;
       slice1winner2_best_late_cost_1_0 <= slice1winner2_best_cost_1_0;
-      slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice when (slice1winner2_best_second_0_0_choice
-        - slice1winner2_best_second_0_0_choice_3) < 0 else slice1winner2_best_second_0_0_choice_3;
-      slice1winner2_best_second_1_0 <= slice1winner2_best_second_1_0_choice when (slice1winner2_best_second_1_0_choice
-        - slice1winner2_best_second_1_0_choice_3) < 0 else slice1winner2_best_second_1_0_choice_3;
-      slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1 when (slice1winner1_best_late_cost_0_1 -
-        slice1winner1_best_but_first_0_0) < 0 else slice1winner1_best_but_first_0_0;
-      slice1winner2_best_but_first_1_0 <= slice1winner1_best_late_cost_1_1 when (slice1winner1_best_late_cost_1_1 -
-        slice1winner1_best_but_first_1_0) < 0 else slice1winner1_best_but_first_1_0;
       slice1winner2_best_but_last_0_0 <= slice1winner1_best_late_cost_0_0;
       slice1winner2_best_but_last_1_0 <= slice1winner1_best_late_cost_1_0;
+      if (slice1winner1_held_0_2 - slice1winner1_best_cost_0_0) < 0 then
+        slice1winner2_best_cost_0_0 <= slice1winner1_held_0_2;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+      end if;
+      if (slice1winner1_held_1_2 - slice1winner1_best_cost_1_0) < 0 then
+        slice1winner2_best_cost_1_0 <= slice1winner1_held_1_2;
+      else
+        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+      end if;
+      if slice1winner2_best_index_0_0_is_less then
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      else
+        slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner1_held_0_1;
+        slice1winner2_best_above_0_0 <= 0;
+      end if;
+      if slice1winner2_best_index_1_0_is_less then
+        slice1winner2_best_index_1_0 <= as_number(slice1winner1_best_index_1_0);
+        slice1winner2_best_below_1_0 <= slice1winner1_best_below_1_0;
+        slice1winner2_best_above_1_0 <= slice1winner2_best_above_1_0_choice;
+      else
+        slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
+        slice1winner2_best_below_1_0 <= slice1winner1_held_1_1;
+        slice1winner2_best_above_1_0 <= 0;
+      end if;
+      if (slice1winner2_best_second_0_0_choice - slice1winner2_best_second_0_0_choice_3) < 0 then
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice;
+      else
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_3;
+      end if;
+      if (slice1winner2_best_second_1_0_choice - slice1winner2_best_second_1_0_choice_3) < 0 then
+        slice1winner2_best_second_1_0 <= slice1winner2_best_second_1_0_choice;
+      else
+        slice1winner2_best_second_1_0 <= slice1winner2_best_second_1_0_choice_3;
+      end if;
+      if (slice1winner1_best_late_cost_0_1 - slice1winner1_best_but_first_0_0) < 0 then
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1;
+      else
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_but_first_0_0;
+      end if;
+      if (slice1winner1_best_late_cost_1_1 - slice1winner1_best_but_first_1_0) < 0 then
+        slice1winner2_best_but_first_1_0 <= slice1winner1_best_late_cost_1_1;
+      else
+        slice1winner2_best_but_first_1_0 <= slice1winner1_best_but_first_1_0;
+      end if;
       -- slice1
       slice1_best_index_0_0_is_less := (slice0winner2_best_late_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
       slice1_best_index_1_0_is_less := (slice0winner2_best_late_cost_1_0 - slice1winner2_best_cost_1_0) < 0;
       slice1_best_below_0_0_is_equal := slice1winner2_best_index_0_0 = 0;
-      slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1_best_below_0_0_is_equal else
-        slice1winner2_best_below_0_0;
+      if slice1_best_below_0_0_is_equal then
+        slice1_best_below_0_0_choice := slice0_best_last_0_0;
+      else
+        slice1_best_below_0_0_choice := slice1winner2_best_below_0_0;
+      end if;
       slice1_best_below_1_0_is_equal := slice1winner2_best_index_1_0 = 0;
-      slice1_best_below_1_0_choice := slice0_best_last_1_0 when slice1_best_below_1_0_is_equal else
-        slice1winner2_best_below_1_0;
+      if slice1_best_below_1_0_is_equal then
+        slice1_best_below_1_0_choice := slice0_best_last_1_0;
+      else
+        slice1_best_below_1_0_choice := slice1winner2_best_below_1_0;
+      end if;
       slice1_best_above_0_0_is_equal := slice0_best_index_0_0 = 2;
-      slice1_best_above_0_0_choice := slice1winner2_best_first_0_0 when slice1_best_above_0_0_is_equal else
-        slice0_best_above_0_0;
+      if slice1_best_above_0_0_is_equal then
+        slice1_best_above_0_0_choice := slice1winner2_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice0_best_above_0_0;
+      end if;
       slice1_best_above_1_0_is_equal := slice0_best_index_1_0 = 2;
-      slice1_best_above_1_0_choice := slice1winner2_best_first_1_0 when slice1_best_above_1_0_is_equal else
-        slice0_best_above_1_0;
+      if slice1_best_above_1_0_is_equal then
+        slice1_best_above_1_0_choice := slice1winner2_best_first_1_0;
+      else
+        slice1_best_above_1_0_choice := slice0_best_above_1_0;
+      end if;
       slice1_best_place_0_0_is_not_less := (slice0winner2_best_late_cost_0_0 - slice1winner2_best_cost_0_0) >= 0;
       slice1_best_place_1_0_is_not_less := (slice0winner2_best_late_cost_1_0 - slice1winner2_best_cost_1_0) >= 0;
-      slice1_best_second_0_0_choice := slice1winner2_best_second_0_0 when slice1_best_place_0_0 else
-        slice1winner2_best_late_cost_0_0;
-      slice1_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_0 when slice1_best_at_end_0_0 else
-        slice1_best_second_0_0_choice;
-      slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0 when slice1_best_place_0_0 else
-        slice0_best_second_0_0;
-      slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0 when slice1_best_at_start_0_0 else
-        slice1_best_second_0_0_choice_3;
-      slice1_best_second_1_0_choice := slice1winner2_best_second_1_0 when slice1_best_place_1_0 else
-        slice1winner2_best_late_cost_1_0;
-      slice1_best_second_1_0_choice_2 := slice1winner2_best_but_first_1_0 when slice1_best_at_end_1_0 else
-        slice1_best_second_1_0_choice;
-      slice1_best_second_1_0_choice_3 := slice0_best_late_cost_1_0 when slice1_best_place_1_0 else
-        slice0_best_second_1_0;
-      slice1_best_second_1_0_choice_4 := slice0_best_but_last_1_0 when slice1_best_at_start_1_0 else
-        slice1_best_second_1_0_choice_3;
-      slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0 when (slice1winner2_best_cost_0_0 -
-        slice0winner2_best_late_cost_0_0) < 0 else slice0winner2_best_late_cost_0_0;
-      slice1_best_cost_1_0 <= slice1winner2_best_cost_1_0 when (slice1winner2_best_cost_1_0 -
-        slice0winner2_best_late_cost_1_0) < 0 else slice0winner2_best_late_cost_1_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_index_0_0_is_less else
-        slice1winner2_best_index_0_0 + 3;
-      slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_index_1_0_is_less else
-        slice1winner2_best_index_1_0 + 3;
-      slice1_best_below_0_0 <= slice0_best_below_0_0 when slice1_best_index_0_0_is_less else
-        slice1_best_below_0_0_choice;
-      slice1_best_below_1_0 <= slice0_best_below_1_0 when slice1_best_index_1_0_is_less else
-        slice1_best_below_1_0_choice;
-      slice1_best_above_0_0 <= slice1_best_above_0_0_choice when slice1_best_index_0_0_is_less else
-        slice1winner2_best_above_0_0;
-      slice1_best_above_1_0 <= slice1_best_above_1_0_choice when slice1_best_index_1_0_is_less else
-        slice1winner2_best_above_1_0;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice := slice1winner2_best_second_0_0;
+      else
+        slice1_best_second_0_0_choice := slice1winner2_best_late_cost_0_0;
+      end if;
+      if slice1_best_at_end_0_0 then
+        slice1_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_0;
+      else
+        slice1_best_second_0_0_choice_2 := slice1_best_second_0_0_choice;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0;
+      else
+        slice1_best_second_0_0_choice_3 := slice0_best_second_0_0;
+      end if;
+      if slice1_best_at_start_0_0 then
+        slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0;
+      else
+        slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3;
+      end if;
+      if slice1_best_place_1_0 then
+        slice1_best_second_1_0_choice := slice1winner2_best_second_1_0;
+      else
+        slice1_best_second_1_0_choice := slice1winner2_best_late_cost_1_0;
+      end if;
+      if slice1_best_at_end_1_0 then
+        slice1_best_second_1_0_choice_2 := slice1winner2_best_but_first_1_0;
+      else
+        slice1_best_second_1_0_choice_2 := slice1_best_second_1_0_choice;
+      end if;
+      if slice1_best_place_1_0 then
+        slice1_best_second_1_0_choice_3 := slice0_best_late_cost_1_0;
+      else
+        slice1_best_second_1_0_choice_3 := slice0_best_second_1_0;
+      end if;
+      if slice1_best_at_start_1_0 then
+        slice1_best_second_1_0_choice_4 := slice0_best_but_last_1_0;
+      else
+        slice1_best_second_1_0_choice_4 := slice1_best_second_1_0_choice_3;
+      end if;
       slice1_best_last_0_0 <= slice1winner1_best_late_cost_0_1;
       slice1_best_last_1_0 <= slice1winner1_best_late_cost_1_1;
       slice1_best_place_0_0 <= slice1_best_place_0_0_is_not_less;
@@ -1660,19 +2098,59 @@ begin
       slice1_best_at_end_1_0 <= slice1_best_index_1_0_is_less and slice1_best_above_1_0_is_equal;
       slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
       slice1_best_late_cost_1_0 <= slice1_best_cost_1_0;
-      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
-        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
-      slice1_best_second_1_0 <= slice1_best_second_1_0_choice_2 when (slice1_best_second_1_0_choice_2 -
-        slice1_best_second_1_0_choice_4) < 0 else slice1_best_second_1_0_choice_4;
-      slice1_best_but_last_0_0 <= slice1winner2_best_but_last_0_0 when (slice1winner2_best_but_last_0_0 -
-        slice0_best_late_cost_0_0) < 0 else slice0_best_late_cost_0_0;
-      slice1_best_but_last_1_0 <= slice1winner2_best_but_last_1_0 when (slice1winner2_best_but_last_1_0 -
-        slice0_best_late_cost_1_0) < 0 else slice0_best_late_cost_1_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if (slice1winner2_best_cost_0_0 - slice0winner2_best_late_cost_0_0) < 0 then
+        slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+      else
+        slice1_best_cost_0_0 <= slice0winner2_best_late_cost_0_0;
+      end if;
+      if (slice1winner2_best_cost_1_0 - slice0winner2_best_late_cost_1_0) < 0 then
+        slice1_best_cost_1_0 <= slice1winner2_best_cost_1_0;
+      else
+        slice1_best_cost_1_0 <= slice0winner2_best_late_cost_1_0;
+      end if;
+      if slice1_best_index_0_0_is_less then
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice0_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      else
+        slice1_best_index_0_0 <= slice1winner2_best_index_0_0 + 3;
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice1winner2_best_above_0_0;
+      end if;
+      if slice1_best_index_1_0_is_less then
+        slice1_best_index_1_0 <= slice0_best_index_1_0;
+        slice1_best_below_1_0 <= slice0_best_below_1_0;
+        slice1_best_above_1_0 <= slice1_best_above_1_0_choice;
+      else
+        slice1_best_index_1_0 <= slice1winner2_best_index_1_0 + 3;
+        slice1_best_below_1_0 <= slice1_best_below_1_0_choice;
+        slice1_best_above_1_0 <= slice1winner2_best_above_1_0;
+      end if;
+      if (slice1_best_second_0_0_choice_2 - slice1_best_second_0_0_choice_4) < 0 then
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2;
+      else
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_4;
+      end if;
+      if (slice1_best_second_1_0_choice_2 - slice1_best_second_1_0_choice_4) < 0 then
+        slice1_best_second_1_0 <= slice1_best_second_1_0_choice_2;
+      else
+        slice1_best_second_1_0 <= slice1_best_second_1_0_choice_4;
+      end if;
+      if (slice1winner2_best_but_last_0_0 - slice0_best_late_cost_0_0) < 0 then
+        slice1_best_but_last_0_0 <= slice1winner2_best_but_last_0_0;
+      else
+        slice1_best_but_last_0_0 <= slice0_best_late_cost_0_0;
+      end if;
+      if (slice1winner2_best_but_last_1_0 - slice0_best_late_cost_1_0) < 0 then
+        slice1_best_but_last_1_0 <= slice1winner2_best_but_last_1_0;
+      else
+        slice1_best_but_last_1_0 <= slice0_best_late_cost_1_0;
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice1shift_search_out_0;
@@ -1731,16 +2209,23 @@ begin
       slice2cost_single_0_1 <= (slice2cost_single_0_1_choice + as_number(slice2cost_single_0_1_is_less)) mod 256;
       slice2cost_single_3_0 <= (slice2cost_single_3_0_choice + as_number(slice2cost_single_3_0_is_less)) mod 256;
       slice2cost_single_3_1 <= (slice2cost_single_3_1_choice + as_number(slice2cost_single_3_1_is_less)) mod 256;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_0_0) mod 256;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_0_1) mod 256;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_3_0) mod 256;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_3_1) mod 256;
       slice2cost_tag_output_column <= slice1cost_tag_output_column;
       slice2cost_tag_first_column <= slice1cost_tag_first_column;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+        slice2cost_column_1_0 <= 0;
+        slice2cost_column_1_1 <= 0;
+      else
+        slice2cost_column_0_0 <= (as_number(slice2cost_negative_0_0) + slice2cost_pair_0_0 + slice2cost_single_0_0) mod
+          256;
+        slice2cost_column_0_1 <= (as_number(slice2cost_negative_0_1) + slice2cost_pair_0_1 + slice2cost_single_0_1) mod
+          256;
+        slice2cost_column_1_0 <= (as_number(slice2cost_negative_0_0) + slice2cost_pair_0_0 + slice2cost_single_3_0) mod
+          256;
+        slice2cost_column_1_1 <= (as_number(slice2cost_negative_0_1) + slice2cost_pair_0_1 + slice2cost_single_3_1) mod
+          256;
+      end if;
       -- slice2window
       if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -1758,20 +2243,47 @@ begin
       slice2window_sum_1_1 <= slice2window_partial_1_1_1 + slice2cost_column_1_1;
       -- slice2other
       slice2other_cost_0_0_any := (not slice0winner2_tag_output_column) or (not slice0winner2_tag_first_column);
-      slice2other_cost_0_0_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_0 -
-        slice2window_sum_0_0) >= 0 else slice2other_cost_0_0_any;
-      slice2other_cost_1_0_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_1 -
-        slice2window_sum_1_0) >= 0 else slice2other_cost_0_0_any;
-      slice2other_winner_1_1_choice := not slice0winner2_tag_output_column when (slice2other_cost_1_0 -
-        slice2window_sum_1_1) >= 0 else slice2other_cost_0_0_any;
+      if (slice1other_cost_out_0 - slice2window_sum_0_0) >= 0 then
+        slice2other_cost_0_0_choice := not slice0winner2_tag_output_column;
+      else
+        slice2other_cost_0_0_choice := slice2other_cost_0_0_any;
+      end if;
+      if (slice1other_cost_out_1 - slice2window_sum_1_0) >= 0 then
+        slice2other_cost_1_0_choice := not slice0winner2_tag_output_column;
+      else
+        slice2other_cost_1_0_choice := slice2other_cost_0_0_any;
+      end if;
+      if (slice2other_cost_1_0 - slice2window_sum_1_1) >= 0 then
+        slice2other_winner_1_1_choice := not slice0winner2_tag_output_column;
+      else
+        slice2other_winner_1_1_choice := slice2other_cost_0_0_any;
+      end if;
       if slice0winner2_tag_valid then
-        slice2other_cost_0_0 <= slice1other_cost_out_0 when slice2other_cost_0_0_choice else slice2window_sum_0_0;
-        slice2other_cost_1_0 <= slice1other_cost_out_1 when slice2other_cost_1_0_choice else slice2window_sum_1_0;
-        slice2other_winner_0_0 <= slice1other_winner_out_0 when slice2other_cost_0_0_choice else 6;
-        slice2other_winner_0_1 <= slice2other_winner_0_0 when (not slice0winner2_tag_output_column) or ((not
-          slice0winner2_tag_first_column) and ((slice2other_cost_0_0 - slice2window_sum_0_1) < 0)) else 7;
-        slice2other_winner_1_0 <= slice1other_winner_out_1 when slice2other_cost_1_0_choice else 6;
-        slice2other_winner_1_1 <= slice2other_winner_1_0 when slice2other_winner_1_1_choice else 7;
+        if slice2other_cost_0_0_choice then
+          slice2other_cost_0_0 <= slice1other_cost_out_0;
+          slice2other_winner_0_0 <= slice1other_winner_out_0;
+        else
+          slice2other_cost_0_0 <= slice2window_sum_0_0;
+          slice2other_winner_0_0 <= 6;
+        end if;
+        if slice2other_cost_1_0_choice then
+          slice2other_cost_1_0 <= slice1other_cost_out_1;
+          slice2other_winner_1_0 <= slice1other_winner_out_1;
+        else
+          slice2other_cost_1_0 <= slice2window_sum_1_0;
+          slice2other_winner_1_0 <= 6;
+        end if;
+        if (not slice0winner2_tag_output_column) or ((not slice0winner2_tag_first_column) and ((slice2other_cost_0_0 -
+          slice2window_sum_0_1) < 0)) then
+          slice2other_winner_0_1 <= slice2other_winner_0_0;
+        else
+          slice2other_winner_0_1 <= 7;
+        end if;
+        if slice2other_winner_1_1_choice then
+          slice2other_winner_1_1 <= slice2other_winner_1_0;
+        else
+          slice2other_winner_1_1 <= 7;
+        end if;
       end if;
       slice2other_winner_out_0 <= slice2other_winner_0_1;
       slice2other_winner_out_1 <= slice2other_winner_1_1;
@@ -1782,20 +2294,36 @@ begin
       slice2winner1_held_0_1 <= slice2window_sum_0_1;
       slice2winner1_held_1_0 <= slice2window_sum_1_0;
       slice2winner1_held_1_1 <= slice2window_sum_1_1;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when (slice2window_sum_0_1 - slice2window_sum_0_0) < 0 else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when (slice2window_sum_1_1 - slice2window_sum_1_0) < 0 else
-        slice2window_sum_1_0;
       slice2winner1_best_index_0_0 <= (slice2window_sum_0_0 - slice2window_sum_0_1) >= 0;
       slice2winner1_best_index_1_0 <= (slice2window_sum_1_0 - slice2window_sum_1_1) >= 0;
-      slice2winner1_best_below_0_0 <= 0 when slice2winner1_best_below_0_0_is_less else slice2window_sum_0_0;
-      slice2winner1_best_below_1_0 <= 0 when slice2winner1_best_below_1_0_is_less else slice2window_sum_1_0;
-      slice2winner1_best_above_0_0 <= slice2window_sum_0_1 when slice2winner1_best_below_0_0_is_less else 0;
-      slice2winner1_best_above_1_0 <= slice2window_sum_1_1 when slice2winner1_best_below_1_0_is_less else 0;
       slice2winner1_best_late_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner1_best_late_cost_1_0 <= slice2winner1_best_cost_1_0;
       slice2winner1_best_but_first_0_0 <= slice2winner1_held_0_1;
       slice2winner1_best_but_first_1_0 <= slice2winner1_held_1_1;
+      if (slice2window_sum_0_1 - slice2window_sum_0_0) < 0 then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
+      if (slice2window_sum_1_1 - slice2window_sum_1_0) < 0 then
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_1;
+      else
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_0;
+      end if;
+      if slice2winner1_best_below_0_0_is_less then
+        slice2winner1_best_below_0_0 <= 0;
+        slice2winner1_best_above_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_below_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_above_0_0 <= 0;
+      end if;
+      if slice2winner1_best_below_1_0_is_less then
+        slice2winner1_best_below_1_0 <= 0;
+        slice2winner1_best_above_1_0 <= slice2window_sum_1_1;
+      else
+        slice2winner1_best_below_1_0 <= slice2window_sum_1_0;
+        slice2winner1_best_above_1_0 <= 0;
+      end if;
       -- slice2winner2
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
       slice2winner2_best_index_1_0 <= slice2winner1_best_index_1_0;
@@ -1812,48 +2340,70 @@ begin
       -- slice2
       slice2_best_index_0_0_is_less := (slice1_best_cost_0_0 - slice2winner1_best_late_cost_0_0) < 0;
       slice2_best_index_1_0_is_less := (slice1_best_cost_1_0 - slice2winner1_best_late_cost_1_0) < 0;
-      slice2_best_below_0_0_choice := slice2winner2_best_below_0_0 when slice2winner2_best_index_0_0 else
-        slice1_best_last_0_0;
-      slice2_best_below_1_0_choice := slice2winner2_best_below_1_0 when slice2winner2_best_index_1_0 else
-        slice1_best_last_1_0;
+      if slice2winner2_best_index_0_0 then
+        slice2_best_below_0_0_choice := slice2winner2_best_below_0_0;
+      else
+        slice2_best_below_0_0_choice := slice1_best_last_0_0;
+      end if;
+      if slice2winner2_best_index_1_0 then
+        slice2_best_below_1_0_choice := slice2winner2_best_below_1_0;
+      else
+        slice2_best_below_1_0_choice := slice1_best_last_1_0;
+      end if;
       slice2_best_above_0_0_is_equal := slice1_best_index_0_0 = 5;
-      slice2_best_above_0_0_choice := slice2winner2_best_first_0_0 when slice2_best_above_0_0_is_equal else
-        slice1_best_above_0_0;
+      if slice2_best_above_0_0_is_equal then
+        slice2_best_above_0_0_choice := slice2winner2_best_first_0_0;
+      else
+        slice2_best_above_0_0_choice := slice1_best_above_0_0;
+      end if;
       slice2_best_above_1_0_is_equal := slice1_best_index_1_0 = 5;
-      slice2_best_above_1_0_choice := slice2winner2_best_first_1_0 when slice2_best_above_1_0_is_equal else
-        slice1_best_above_1_0;
+      if slice2_best_above_1_0_is_equal then
+        slice2_best_above_1_0_choice := slice2winner2_best_first_1_0;
+      else
+        slice2_best_above_1_0_choice := slice1_best_above_1_0;
+      end if;
       slice2_best_place_0_0_is_not_less := (slice1_best_cost_0_0 - slice2winner1_best_late_cost_0_0) >= 0;
       slice2_best_place_1_0_is_not_less := (slice1_best_cost_1_0 - slice2winner1_best_late_cost_1_0) >= 0;
-      slice2_best_second_0_0_choice := 1023 when slice2_best_place_0_0 else slice2winner2_best_late_cost_0_0;
-      slice2_best_second_0_0_choice_2 := slice2winner2_best_but_first_0_0 when slice2_best_at_end_0_0 else
-        slice2_best_second_0_0_choice;
-      slice2_best_second_0_0_choice_3 := slice1_best_late_cost_0_0 when slice2_best_place_0_0 else
-        slice1_best_second_0_0;
-      slice2_best_second_0_0_choice_4 := slice1_best_but_last_0_0 when slice2_best_at_start_0_0 else
-        slice2_best_second_0_0_choice_3;
-      slice2_best_second_1_0_choice := 1023 when slice2_best_place_1_0 else slice2winner2_best_late_cost_1_0;
-      slice2_best_second_1_0_choice_2 := slice2winner2_best_but_first_1_0 when slice2_best_at_end_1_0 else
-        slice2_best_second_1_0_choice;
-      slice2_best_second_1_0_choice_3 := slice1_best_late_cost_1_0 when slice2_best_place_1_0 else
-        slice1_best_second_1_0;
-      slice2_best_second_1_0_choice_4 := slice1_best_but_last_1_0 when slice2_best_at_start_1_0 else
-        slice2_best_second_1_0_choice_3;
-      slice2_best_cost_0_0 <= slice2winner1_best_late_cost_0_0 when (slice2winner1_best_late_cost_0_0 -
-        slice1_best_cost_0_0) < 0 else slice1_best_cost_0_0;
-      slice2_best_cost_1_0 <= slice2winner1_best_late_cost_1_0 when (slice2winner1_best_late_cost_1_0 -
-        slice1_best_cost_1_0) < 0 else slice1_best_cost_1_0;
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_index_0_0_is_less else
-        as_number(slice2winner2_best_index_0_0) + 6;
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when slice2_best_index_1_0_is_less else
-        as_number(slice2winner2_best_index_1_0) + 6;
-      slice2_best_below_0_0 <= slice1_best_below_0_0 when slice2_best_index_0_0_is_less else
-        slice2_best_below_0_0_choice;
-      slice2_best_below_1_0 <= slice1_best_below_1_0 when slice2_best_index_1_0_is_less else
-        slice2_best_below_1_0_choice;
-      slice2_best_above_0_0 <= slice2_best_above_0_0_choice when slice2_best_index_0_0_is_less else
-        slice2winner2_best_above_0_0;
-      slice2_best_above_1_0 <= slice2_best_above_1_0_choice when slice2_best_index_1_0_is_less else
-        slice2winner2_best_above_1_0;
+      if slice2_best_place_0_0 then
+        slice2_best_second_0_0_choice := 1023;
+      else
+        slice2_best_second_0_0_choice := slice2winner2_best_late_cost_0_0;
+      end if;
+      if slice2_best_at_end_0_0 then
+        slice2_best_second_0_0_choice_2 := slice2winner2_best_but_first_0_0;
+      else
+        slice2_best_second_0_0_choice_2 := slice2_best_second_0_0_choice;
+      end if;
+      if slice2_best_place_0_0 then
+        slice2_best_second_0_0_choice_3 := slice1_best_late_cost_0_0;
+      else
+        slice2_best_second_0_0_choice_3 := slice1_best_second_0_0;
+      end if;
+      if slice2_best_at_start_0_0 then
+        slice2_best_second_0_0_choice_4 := slice1_best_but_last_0_0;
+      else
+        slice2_best_second_0_0_choice_4 := slice2_best_second_0_0_choice_3;
+      end if;
+      if slice2_best_place_1_0 then
+        slice2_best_second_1_0_choice := 1023;
+      else
+        slice2_best_second_1_0_choice := slice2winner2_best_late_cost_1_0;
+      end if;
+      if slice2_best_at_end_1_0 then
+        slice2_best_second_1_0_choice_2 := slice2winner2_best_but_first_1_0;
+      else
+        slice2_best_second_1_0_choice_2 := slice2_best_second_1_0_choice;
+      end if;
+      if slice2_best_place_1_0 then
+        slice2_best_second_1_0_choice_3 := slice1_best_late_cost_1_0;
+      else
+        slice2_best_second_1_0_choice_3 := slice1_best_second_1_0;
+      end if;
+      if slice2_best_at_start_1_0 then
+        slice2_best_second_1_0_choice_4 := slice1_best_but_last_1_0;
+      else
+        slice2_best_second_1_0_choice_4 := slice2_best_second_1_0_choice_3;
+      end if;
       slice2_best_place_0_0 <= slice2_best_place_0_0_is_not_less;
       slice2_best_place_1_0 <= slice2_best_place_1_0_is_not_less;
       slice2_best_at_start_0_0 <= slice2_best_place_0_0_is_not_less and (not slice2winner2_best_index_0_0);
@@ -1862,19 +2412,50 @@ begin
       slice2_best_at_end_1_0 <= slice2_best_index_1_0_is_less and slice2_best_above_1_0_is_equal;
       slice2_best_late_cost_0_0 <= slice2_best_cost_0_0;
       slice2_best_late_cost_1_0 <= slice2_best_cost_1_0;
-      slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2 when (slice2_best_second_0_0_choice_2 -
-        slice2_best_second_0_0_choice_4) < 0 else slice2_best_second_0_0_choice_4;
-      slice2_best_second_1_0 <= slice2_best_second_1_0_choice_2 when (slice2_best_second_1_0_choice_2 -
-        slice2_best_second_1_0_choice_4) < 0 else slice2_best_second_1_0_choice_4;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_map_column <= slice1_best_tag_map_column;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if (slice2winner1_best_late_cost_0_0 - slice1_best_cost_0_0) < 0 then
+        slice2_best_cost_0_0 <= slice2winner1_best_late_cost_0_0;
+      else
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+      end if;
+      if (slice2winner1_best_late_cost_1_0 - slice1_best_cost_1_0) < 0 then
+        slice2_best_cost_1_0 <= slice2winner1_best_late_cost_1_0;
+      else
+        slice2_best_cost_1_0 <= slice1_best_cost_1_0;
+      end if;
+      if slice2_best_index_0_0_is_less then
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+        slice2_best_below_0_0 <= slice1_best_below_0_0;
+        slice2_best_above_0_0 <= slice2_best_above_0_0_choice;
+      else
+        slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0) + 6;
+        slice2_best_below_0_0 <= slice2_best_below_0_0_choice;
+        slice2_best_above_0_0 <= slice2winner2_best_above_0_0;
+      end if;
+      if slice2_best_index_1_0_is_less then
+        slice2_best_index_1_0 <= slice1_best_index_1_0;
+        slice2_best_below_1_0 <= slice1_best_below_1_0;
+        slice2_best_above_1_0 <= slice2_best_above_1_0_choice;
+      else
+        slice2_best_index_1_0 <= as_number(slice2winner2_best_index_1_0) + 6;
+        slice2_best_below_1_0 <= slice2_best_below_1_0_choice;
+        slice2_best_above_1_0 <= slice2winner2_best_above_1_0;
+      end if;
+      if (slice2_best_second_0_0_choice_2 - slice2_best_second_0_0_choice_4) < 0 then
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2;
+      else
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_4;
+      end if;
+      if (slice2_best_second_1_0_choice_2 - slice2_best_second_1_0_choice_4) < 0 then
+        slice2_best_second_1_0 <= slice2_best_second_1_0_choice_2;
+      else
+        slice2_best_second_1_0 <= slice2_best_second_1_0_choice_4;
+      end if;
       -- texture
-      texture_taps_search_0_0 <= 31 when rows_inside_0 else 0;
-      texture_taps_search_1_0 <= 31 when rows_inside_1 else 0;
-      texture_taps_search_3_0 <= 31 when rows_inside_3 else 0;
       texture_passes_0_0 <= (texturewindow_sum_0_0 - texture_least) >= 0;
       texture_passes_0_1 <= (texturewindow_sum_1_0 - texture_least) >= 0;
       texture_passes_1_0 <= texture_passes_0_0;
@@ -1885,6 +2466,21 @@ begin
       texture_passes_3_1 <= texture_passes_2_1;
       texture_passes_4_0 <= texture_passes_3_0;
       texture_passes_4_1 <= texture_passes_3_1;
+      if rows_inside_0 then
+        texture_taps_search_0_0 <= 31;
+      else
+        texture_taps_search_0_0 <= 0;
+      end if;
+      if rows_inside_1 then
+        texture_taps_search_1_0 <= 31;
+      else
+        texture_taps_search_1_0 <= 0;
+      end if;
+      if rows_inside_3 then
+        texture_taps_search_3_0 <= 31;
+      else
+        texture_taps_search_3_0 <= 0;
+      end if;
       if not ((not slice0cost_tag_valid) or (not slice0cost_tag_start_of_frame) or (not slice0cost_tag_output_column)) then
         texture_least <= settings_texture_threshold;
       end if;
@@ -1910,10 +2506,15 @@ begin
       texturecost_negative_0_0 <= texturecost_difference_2_0 < 0;
       texturecost_single_0_0 <= (texturecost_single_0_0_choice + as_number(texturecost_single_0_0_is_less)) mod 256;
       texturecost_single_3_0 <= (texturecost_single_3_0_choice + as_number(texturecost_single_3_0_is_less)) mod 256;
-      texturecost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_0_0) +
-        texturecost_pair_0_0 + texturecost_single_0_0) mod 256;
-      texturecost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(texturecost_negative_0_0) +
-        texturecost_pair_0_0 + texturecost_single_3_0) mod 256;
+      if slice0cost_pair_tag_border_column then
+        texturecost_column_0_0 <= 0;
+        texturecost_column_1_0 <= 0;
+      else
+        texturecost_column_0_0 <= (as_number(texturecost_negative_0_0) + texturecost_pair_0_0 + texturecost_single_0_0)
+          mod 256;
+        texturecost_column_1_0 <= (as_number(texturecost_negative_0_0) + texturecost_pair_0_0 + texturecost_single_3_0)
+          mod 256;
+      end if;
       -- texturewindow
       if slice0cost_tag_valid then
         texturewindow_partial_0_0_0 <= texturecost_column_0_0;
@@ -1940,9 +2541,17 @@ begin
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 2048) - refinement_divisor_6_0;
       refinement_remainder_7_1_difference := ((refinement_remainder_6_1 * 2) + 2048) - refinement_divisor_6_1;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_divisor_0_1_is_less := (-1) < refinement_difference_1;
-      refinement_divisor_0_1_choice := refinement_v_1 when refinement_divisor_0_1_is_less else refinement_u_1;
+      if refinement_divisor_0_1_is_less then
+        refinement_divisor_0_1_choice := refinement_v_1;
+      else
+        refinement_divisor_0_1_choice := refinement_u_1;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -1997,10 +2606,6 @@ begin
       refinement_passed_1_1 <= refinement_passed_0_1;
       refinement_passed_2_0 <= refinement_passed_1_0;
       refinement_passed_2_1 <= refinement_passed_1_1;
-      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_1 else refinement_passed_2_0 and
-        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
-      refinement_passed_3_1 <= refinement_passed_2_1 when refinement_alone_1_0 else refinement_passed_2_1 and
-        ((refinement_scaled_cost_1 - refinement_scaled_gap_1) < 0);
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_4_1 <= refinement_passed_3_1;
       refinement_passed_5_0 <= refinement_passed_4_0;
@@ -2089,10 +2694,6 @@ begin
       refinement_scaled_gap_1 <= (refinement_gap_1 * 25) * 4;
       refinement_scaled_cost_0 <= refinement_lowest_0 * refinement_percent;
       refinement_scaled_cost_1 <= refinement_lowest_1 * refinement_percent;
-      refinement_below_0 <= slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else slice2_best_below_0_0;
-      refinement_below_1 <= slice2_best_above_1_0 when slice2_best_index_1_0 = 0 else slice2_best_below_1_0;
-      refinement_above_0 <= slice2_best_below_0_0 when slice2_best_index_0_0 = 7 else slice2_best_above_0_0;
-      refinement_above_1 <= slice2_best_below_1_0 when slice2_best_index_1_0 = 7 else slice2_best_above_1_0;
       refinement_u_0 <= (refinement_below_0 - slice2_best_late_cost_0_0) mod 1024;
       refinement_u_1 <= (refinement_below_1 - slice2_best_late_cost_1_0) mod 1024;
       refinement_v_0 <= (refinement_above_0 - slice2_best_late_cost_0_0) mod 1024;
@@ -2101,34 +2702,6 @@ begin
       refinement_difference_1 <= refinement_above_1 - refinement_below_1;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
       refinement_remainder_0_1 <= magnitude(refinement_difference_1);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 1024 when
-        (refinement_remainder_1_0_difference / 2048) = 1 else refinement_remainder_0_0;
-      refinement_remainder_1_1 <= refinement_remainder_1_1_difference mod 1024 when
-        (refinement_remainder_1_1_difference / 2048) = 1 else refinement_remainder_0_1;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 1024 when
-        (refinement_remainder_2_0_difference / 2048) = 1 else (refinement_remainder_1_0 mod 512) * 2;
-      refinement_remainder_2_1 <= refinement_remainder_2_1_difference mod 1024 when
-        (refinement_remainder_2_1_difference / 2048) = 1 else (refinement_remainder_1_1 mod 512) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 1024 when
-        (refinement_remainder_3_0_difference / 2048) = 1 else (refinement_remainder_2_0 mod 512) * 2;
-      refinement_remainder_3_1 <= refinement_remainder_3_1_difference mod 1024 when
-        (refinement_remainder_3_1_difference / 2048) = 1 else (refinement_remainder_2_1 mod 512) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 1024 when
-        (refinement_remainder_4_0_difference / 2048) = 1 else (refinement_remainder_3_0 mod 512) * 2;
-      refinement_remainder_4_1 <= refinement_remainder_4_1_difference mod 1024 when
-        (refinement_remainder_4_1_difference / 2048) = 1 else (refinement_remainder_3_1 mod 512) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 1024 when
-        (refinement_remainder_5_0_difference / 2048) = 1 else (refinement_remainder_4_0 mod 512) * 2;
-      refinement_remainder_5_1 <= refinement_remainder_5_1_difference mod 1024 when
-        (refinement_remainder_5_1_difference / 2048) = 1 else (refinement_remainder_4_1 mod 512) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 1024 when
-        (refinement_remainder_6_0_difference / 2048) = 1 else (refinement_remainder_5_0 mod 512) * 2;
-      refinement_remainder_6_1 <= refinement_remainder_6_1_difference mod 1024 when
-        (refinement_remainder_6_1_difference / 2048) = 1 else (refinement_remainder_5_1 mod 512) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 1024 when
-        (refinement_remainder_7_0_difference / 2048) = 1 else (refinement_remainder_6_0 mod 512) * 2;
-      refinement_remainder_7_1 <= refinement_remainder_7_1_difference mod 1024 when
-        (refinement_remainder_7_1_difference / 2048) = 1 else (refinement_remainder_6_1 mod 512) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 10)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 10))));
       refinement_divisor_0_1 <= to_integer(((to_unsigned(refinement_divisor_0_1_choice, 10)) or
@@ -2171,6 +2744,106 @@ begin
       refinement_negative_8_1 <= refinement_negative_7_1;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
       refinement_fraction_1 <= ((((refinement_fraction_1_choice / 8) + 1) mod 4) * 8) + refinement_fraction_1_choice_2;
+      if refinement_alone_1_1 then
+        refinement_passed_3_0 <= refinement_passed_2_0;
+      else
+        refinement_passed_3_0 <= refinement_passed_2_0 and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      end if;
+      if refinement_alone_1_0 then
+        refinement_passed_3_1 <= refinement_passed_2_1;
+      else
+        refinement_passed_3_1 <= refinement_passed_2_1 and ((refinement_scaled_cost_1 - refinement_scaled_gap_1) < 0);
+      end if;
+      if slice2_best_index_0_0 = 0 then
+        refinement_below_0 <= slice2_best_above_0_0;
+      else
+        refinement_below_0 <= slice2_best_below_0_0;
+      end if;
+      if slice2_best_index_1_0 = 0 then
+        refinement_below_1 <= slice2_best_above_1_0;
+      else
+        refinement_below_1 <= slice2_best_below_1_0;
+      end if;
+      if slice2_best_index_0_0 = 7 then
+        refinement_above_0 <= slice2_best_below_0_0;
+      else
+        refinement_above_0 <= slice2_best_above_0_0;
+      end if;
+      if slice2_best_index_1_0 = 7 then
+        refinement_above_1 <= slice2_best_below_1_0;
+      else
+        refinement_above_1 <= slice2_best_above_1_0;
+      end if;
+      if (refinement_remainder_1_0_difference / 2048) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 1024;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_1_1_difference / 2048) = 1 then
+        refinement_remainder_1_1 <= refinement_remainder_1_1_difference mod 1024;
+      else
+        refinement_remainder_1_1 <= refinement_remainder_0_1;
+      end if;
+      if (refinement_remainder_2_0_difference / 2048) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 1024;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_2_1_difference / 2048) = 1 then
+        refinement_remainder_2_1 <= refinement_remainder_2_1_difference mod 1024;
+      else
+        refinement_remainder_2_1 <= (refinement_remainder_1_1 mod 512) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 2048) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 1024;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_3_1_difference / 2048) = 1 then
+        refinement_remainder_3_1 <= refinement_remainder_3_1_difference mod 1024;
+      else
+        refinement_remainder_3_1 <= (refinement_remainder_2_1 mod 512) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 2048) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 1024;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_4_1_difference / 2048) = 1 then
+        refinement_remainder_4_1 <= refinement_remainder_4_1_difference mod 1024;
+      else
+        refinement_remainder_4_1 <= (refinement_remainder_3_1 mod 512) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 2048) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 1024;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_5_1_difference / 2048) = 1 then
+        refinement_remainder_5_1 <= refinement_remainder_5_1_difference mod 1024;
+      else
+        refinement_remainder_5_1 <= (refinement_remainder_4_1 mod 512) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 2048) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 1024;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_6_1_difference / 2048) = 1 then
+        refinement_remainder_6_1 <= refinement_remainder_6_1_difference mod 1024;
+      else
+        refinement_remainder_6_1 <= (refinement_remainder_5_1 mod 512) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 2048) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 1024;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_7_1_difference / 2048) = 1 then
+        refinement_remainder_7_1 <= refinement_remainder_7_1_difference mod 1024;
+      else
+        refinement_remainder_7_1 <= (refinement_remainder_6_1 mod 512) * 2;
+      end if;
       if not ((not refinement_tag_0_valid) or (not refinement_tag_0_start_of_frame) or (not refinement_tag_0_output_column)) then
         refinement_percent <= settings_uniqueness_percent;
       end if;
@@ -2208,8 +2881,6 @@ begin
       leftright_other_12_1 <= leftright_other_11_1;
       leftright_other_13_0 <= leftright_other_12_0;
       leftright_other_13_1 <= leftright_other_12_1;
-      leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners when
-        leftright_holds_winners_all else refinement_tag_11_valid or leftright_holds_winners;
       leftright_position <= (leftright_position + as_number(refinement_tag_11_valid)) mod 16;
       leftright_held_position <= leftright_position;
       leftright_held_valid <= (not leftright_holds_winners_all) and refinement_tag_11_valid;
@@ -2250,10 +2921,18 @@ begin
       leftright_checked_tag_map_column <= leftright_answered_tag_map_column;
       leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
       leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if leftright_holds_winners_all then
+        leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners;
+      else
+        leftright_holds_winners <= refinement_tag_11_valid or leftright_holds_winners;
+      end if;
       if refinement_tag_11_valid then
-        leftright_ring_read_address <= 0 when leftright_ring_read_address = 7 else (leftright_ring_read_address + 1)
-          mod 8;
         leftright_ring_write_address <= leftright_ring_read_address;
+        if leftright_ring_read_address = 7 then
+          leftright_ring_read_address <= 0;
+        else
+          leftright_ring_read_address <= (leftright_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if not ((not leftright_asking_tag_valid) or (not leftright_asking_tag_start_of_frame) or (not leftright_asking_tag_output_column)) then
         leftright_threshold <= settings_left_right_threshold;
@@ -2262,25 +2941,47 @@ begin
       map_counter_column_is_equal := map_counter_column = 23;
       map_counter_column_all := leftright_checked_tag_valid and leftright_checked_tag_map_column;
       if map_counter_column_all then
-        map_counter_column <= 0 when map_counter_column_is_equal or leftright_checked_tag_start_of_frame else
-          (map_counter_column + 1) mod 32;
+        if map_counter_column_is_equal or leftright_checked_tag_start_of_frame then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 32;
+        end if;
       end if;
       map_counter_group_is_equal := map_counter_group = 7;
       map_counter_group_all := map_counter_column_is_equal and map_counter_group_is_equal;
       map_counter_group_is_equal_2 := map_counter_group = 8;
-      map_counter_group_choice := 1 when map_counter_group_is_equal_2 and map_counter_next_frame else
-        (map_counter_group + 1) mod 16;
-      map_counter_group_choice_2 := map_counter_group_choice when map_counter_column_is_equal and (((map_counter_group
-        / 2) /= 4) or (not ((map_counter_group mod 2) = 1))) and leftright_checked_tag_valid and
-        leftright_checked_tag_map_column else map_counter_group;
-      map_counter_next_frame_choice := map_counter_next_frame and ((map_counter_group mod 2) = 1) when
-        (map_counter_group / 2) = 4 else map_counter_next_frame;
-      map_counter_next_frame_choice_2 := map_counter_next_frame_choice when map_counter_column_is_equal else
-        map_counter_next_frame;
-      map_counter_next_frame_choice_3 := map_counter_group_all or (not leftright_checked_tag_start_of_frame) when
-        map_counter_next_frame_choice_2 else map_counter_column_is_equal and map_counter_group_is_equal and
-        leftright_checked_tag_start_of_frame;
-      map_line_ended_choice := leftright_checked_tag_map_column when leftright_checked_tag_valid else map_line_ended;
+      if map_counter_group_is_equal_2 and map_counter_next_frame then
+        map_counter_group_choice := 1;
+      else
+        map_counter_group_choice := (map_counter_group + 1) mod 16;
+      end if;
+      if map_counter_column_is_equal and (((map_counter_group / 2) /= 4) or (not ((map_counter_group mod 2) = 1))) and
+        leftright_checked_tag_valid and leftright_checked_tag_map_column then
+        map_counter_group_choice_2 := map_counter_group_choice;
+      else
+        map_counter_group_choice_2 := map_counter_group;
+      end if;
+      if (map_counter_group / 2) = 4 then
+        map_counter_next_frame_choice := map_counter_next_frame and ((map_counter_group mod 2) = 1);
+      else
+        map_counter_next_frame_choice := map_counter_next_frame;
+      end if;
+      if map_counter_column_is_equal then
+        map_counter_next_frame_choice_2 := map_counter_next_frame_choice;
+      else
+        map_counter_next_frame_choice_2 := map_counter_next_frame;
+      end if;
+      if map_counter_next_frame_choice_2 then
+        map_counter_next_frame_choice_3 := map_counter_group_all or (not leftright_checked_tag_start_of_frame);
+      else
+        map_counter_next_frame_choice_3 := map_counter_column_is_equal and map_counter_group_is_equal and
+          leftright_checked_tag_start_of_frame;
+      end if;
+      if leftright_checked_tag_valid then
+        map_line_ended_choice := leftright_checked_tag_map_column;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_0(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
@@ -2292,12 +2993,36 @@ begin
       else
         map_of_column_1_c_choice := map_column_3 / 2;
       end if;
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
-      map_sorted_low_1_choice := map_of_column_1_c when map_of_column_1_c_below_b else map_of_column_0_c;
-      map_sorted_low_1_choice_2 := map_of_column_1_c when map_of_column_1_c_below_a else map_of_column_0_b;
-      map_sorted_middle_0_choice := map_of_column_0_b when map_of_column_0_c_below_b else map_sorted_low_0_choice_2;
-      map_sorted_middle_0_choice_2 := map_of_column_0_a when map_of_column_0_c_below_a else map_sorted_low_0_choice;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
+      if map_of_column_1_c_below_b then
+        map_sorted_low_1_choice := map_of_column_1_c;
+      else
+        map_sorted_low_1_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_1_c_below_a then
+        map_sorted_low_1_choice_2 := map_of_column_1_c;
+      else
+        map_sorted_low_1_choice_2 := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_middle_0_choice := map_of_column_0_b;
+      else
+        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_middle_0_choice_2 := map_of_column_0_a;
+      else
+        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
+      end if;
       if map_of_column_1_c_below_b then
         map_sorted_middle_1_choice := map_of_column_0_c;
       else
@@ -2308,8 +3033,16 @@ begin
       else
         map_sorted_middle_1_choice_2 := map_sorted_low_1_choice;
       end if;
-      map_sorted_high_0_choice := map_of_column_0_a when map_of_column_0_c_below_a else map_of_column_0_c;
-      map_sorted_high_0_choice_2 := map_of_column_0_b when map_of_column_0_c_below_b else map_of_column_0_c;
+      if map_of_column_0_c_below_a then
+        map_sorted_high_0_choice := map_of_column_0_a;
+      else
+        map_sorted_high_0_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_high_0_choice_2 := map_of_column_0_b;
+      else
+        map_sorted_high_0_choice_2 := map_of_column_0_c;
+      end if;
       if map_of_column_1_c_below_a then
         map_sorted_high_1_choice := map_of_column_0_b;
       else
@@ -2323,44 +3056,132 @@ begin
       map_passed_1_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
       map_passed_1_0_any := map_sorted_arrives or map_sorted_behind;
       map_window_complete_all := map_sorted_arrives and (map_sorted_column = 0);
-      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_largest_low_1_choice := map_of_low_1_a when map_of_low_1_c_below_a else map_of_low_1_c;
-      map_largest_low_1_choice_2 := map_of_low_1_b when map_of_low_1_c_below_b else map_of_low_1_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
-        map_median_middle_0_choice_3;
-      map_median_middle_1_choice := map_of_middle_1_c when map_of_middle_1_c_below_a else map_of_middle_1_a;
-      map_median_middle_1_choice_2 := map_of_middle_1_b when map_of_middle_1_c_below_b else map_median_middle_1_choice;
-      map_median_middle_1_choice_3 := map_of_middle_1_c when map_of_middle_1_c_below_b else map_of_middle_1_b;
-      map_median_middle_1_choice_4 := map_of_middle_1_a when map_of_middle_1_c_below_a else
-        map_median_middle_1_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
-      map_smallest_high_1_choice := map_of_high_1_c when map_of_high_1_c_below_b else map_of_high_1_b;
-      map_smallest_high_1_choice_2 := map_of_high_1_c when map_of_high_1_c_below_a else map_of_high_1_a;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_out_disparity_1_choice := map_of_all_1_c when map_of_all_1_c_below_a else map_of_all_1_a;
-      map_out_disparity_1_choice_2 := map_of_all_1_b when map_of_all_1_c_below_b else map_out_disparity_1_choice;
-      map_out_disparity_1_choice_3 := map_of_all_1_c when map_of_all_1_c_below_b else map_of_all_1_b;
-      map_out_disparity_1_choice_4 := map_of_all_1_a when map_of_all_1_c_below_a else map_out_disparity_1_choice_3;
-      map_counter_group <= as_number(map_counter_group_all) * 8 when leftright_checked_tag_start_of_frame and
-        leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group_choice_2;
-      map_counter_next_frame <= map_counter_next_frame or map_counter_column_all when map_counter_next_frame_choice_3
-        else map_counter_next_frame and ((not leftright_checked_tag_valid) or (not leftright_checked_tag_map_column));
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice := map_of_low_0_a;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice_2 := map_of_low_0_b;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_low_1_c_below_a then
+        map_largest_low_1_choice := map_of_low_1_a;
+      else
+        map_largest_low_1_choice := map_of_low_1_c;
+      end if;
+      if map_of_low_1_c_below_b then
+        map_largest_low_1_choice_2 := map_of_low_1_b;
+      else
+        map_largest_low_1_choice_2 := map_of_low_1_c;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_2 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_4 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_middle_1_c_below_a then
+        map_median_middle_1_choice := map_of_middle_1_c;
+      else
+        map_median_middle_1_choice := map_of_middle_1_a;
+      end if;
+      if map_of_middle_1_c_below_b then
+        map_median_middle_1_choice_2 := map_of_middle_1_b;
+      else
+        map_median_middle_1_choice_2 := map_median_middle_1_choice;
+      end if;
+      if map_of_middle_1_c_below_b then
+        map_median_middle_1_choice_3 := map_of_middle_1_c;
+      else
+        map_median_middle_1_choice_3 := map_of_middle_1_b;
+      end if;
+      if map_of_middle_1_c_below_a then
+        map_median_middle_1_choice_4 := map_of_middle_1_a;
+      else
+        map_median_middle_1_choice_4 := map_median_middle_1_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
+      if map_of_high_1_c_below_b then
+        map_smallest_high_1_choice := map_of_high_1_c;
+      else
+        map_smallest_high_1_choice := map_of_high_1_b;
+      end if;
+      if map_of_high_1_c_below_a then
+        map_smallest_high_1_choice_2 := map_of_high_1_c;
+      else
+        map_smallest_high_1_choice_2 := map_of_high_1_a;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
+      if map_of_all_1_c_below_a then
+        map_out_disparity_1_choice := map_of_all_1_c;
+      else
+        map_out_disparity_1_choice := map_of_all_1_a;
+      end if;
+      if map_of_all_1_c_below_b then
+        map_out_disparity_1_choice_2 := map_of_all_1_b;
+      else
+        map_out_disparity_1_choice_2 := map_out_disparity_1_choice;
+      end if;
+      if map_of_all_1_c_below_b then
+        map_out_disparity_1_choice_3 := map_of_all_1_c;
+      else
+        map_out_disparity_1_choice_3 := map_of_all_1_b;
+      end if;
+      if map_of_all_1_c_below_a then
+        map_out_disparity_1_choice_4 := map_of_all_1_a;
+      else
+        map_out_disparity_1_choice_4 := map_out_disparity_1_choice_3;
+      end if;
       map_newest_0 <= ((((((((leftright_checked_disparity_0 + 2047) mod 2048) * 2) + (leftright_checked_fraction_0 / 8)
         + 1) mod 4096) * 8) + (leftright_checked_fraction_0 mod 8)) * 2) + as_number(leftright_checked_passed_0);
       map_newest_1 <= ((((((((leftright_checked_disparity_1 + 2047) mod 2048) * 2) + (leftright_checked_fraction_1 / 8)
         + 1) mod 4096) * 8) + (leftright_checked_fraction_1 mod 8)) * 2) + as_number(leftright_checked_passed_1);
       map_arrives <= map_counter_column_all;
       map_behind <= map_line_ended and leftright_checked_tag_valid;
-      map_line_ended <= map_line_ended_choice when leftright_checked_tag_end_of_line else map_line_ended and (not
-        leftright_checked_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_read_newest_1 <= map_newest_1;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
@@ -2399,20 +3220,6 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_low_1 <= map_sorted_low_1_choice when map_of_column_0_c_below_b else map_sorted_low_1_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_middle_1 <= map_sorted_middle_1_choice when map_of_column_0_c_below_b else
-        map_sorted_middle_1_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_sorted_high_1 <= map_sorted_high_1_choice when map_of_column_0_c_below_b else map_sorted_high_1_choice_2;
-      map_passed_1_0 <= map_passed_0_0 or map_passed_1_0_all when map_passed_1_0 else map_passed_0_0 and
-        map_passed_1_0_any;
-      map_passed_1_1 <= map_passed_0_1 or map_passed_1_0_all when map_passed_1_1 else map_passed_0_1 and
-        map_passed_1_0_any;
-      map_window_complete <= map_sorted_output and map_sorted_behind when map_window_complete_all else
-        map_sorted_output and map_passed_1_0_any;
       map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
       map_window_last <= map_sorted_behind;
       map_of_low_0_a <= map_low_0_0;
@@ -2451,14 +3258,6 @@ begin
       map_of_high_1_b_below_a <= (map_high_1_1 - map_high_0_1) < 0;
       map_of_high_1_c_below_a <= (map_high_2_1 - map_high_0_1) < 0;
       map_of_high_1_c_below_b <= (map_high_2_1 - map_high_1_1) < 0;
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
-      map_largest_low_1 <= map_largest_low_1_choice when map_of_low_1_b_below_a else map_largest_low_1_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
-        map_median_middle_0_choice_4;
-      map_median_middle_1 <= map_median_middle_1_choice_2 when map_of_middle_1_b_below_a else
-        map_median_middle_1_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
-      map_smallest_high_1 <= map_smallest_high_1_choice when map_of_high_1_b_below_a else map_smallest_high_1_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
@@ -2486,43 +3285,163 @@ begin
       map_waiting_passed_1_1 <= map_waiting_passed_0_1;
       map_waiting_passed_2_0 <= map_waiting_passed_1_0;
       map_waiting_passed_2_1 <= map_waiting_passed_1_1;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
-      map_out_disparity_1 <= map_out_disparity_1_choice_2 when map_of_all_1_b_below_a else map_out_disparity_1_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_passed_1 <= map_waiting_passed_2_1;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_map_column then
+        map_counter_group <= as_number(map_counter_group_all) * 8;
+      else
+        map_counter_group <= map_counter_group_choice_2;
+      end if;
+      if map_counter_next_frame_choice_3 then
+        map_counter_next_frame <= map_counter_next_frame or map_counter_column_all;
+      else
+        map_counter_next_frame <= map_counter_next_frame and ((not leftright_checked_tag_valid) or (not
+          leftright_checked_tag_map_column));
+      end if;
+      if leftright_checked_tag_end_of_line then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= map_line_ended and (not leftright_checked_tag_valid);
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_1 <= map_sorted_low_1_choice;
+        map_sorted_middle_1 <= map_sorted_middle_1_choice;
+        map_sorted_high_1 <= map_sorted_high_1_choice;
+      else
+        map_sorted_low_1 <= map_sorted_low_1_choice_2;
+        map_sorted_middle_1 <= map_sorted_middle_1_choice_2;
+        map_sorted_high_1 <= map_sorted_high_1_choice_2;
+      end if;
+      if map_passed_1_0 then
+        map_passed_1_0 <= map_passed_0_0 or map_passed_1_0_all;
+      else
+        map_passed_1_0 <= map_passed_0_0 and map_passed_1_0_any;
+      end if;
+      if map_passed_1_1 then
+        map_passed_1_1 <= map_passed_0_1 or map_passed_1_0_all;
+      else
+        map_passed_1_1 <= map_passed_0_1 and map_passed_1_0_any;
+      end if;
+      if map_window_complete_all then
+        map_window_complete <= map_sorted_output and map_sorted_behind;
+      else
+        map_window_complete <= map_sorted_output and map_passed_1_0_any;
+      end if;
+      if map_of_low_0_b_below_a then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_low_1_b_below_a then
+        map_largest_low_1 <= map_largest_low_1_choice;
+      else
+        map_largest_low_1 <= map_largest_low_1_choice_2;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_middle_1_b_below_a then
+        map_median_middle_1 <= map_median_middle_1_choice_2;
+      else
+        map_median_middle_1 <= map_median_middle_1_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_high_1_b_below_a then
+        map_smallest_high_1 <= map_smallest_high_1_choice;
+      else
+        map_smallest_high_1 <= map_smallest_high_1_choice_2;
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
+      if map_of_all_1_b_below_a then
+        map_out_disparity_1 <= map_out_disparity_1_choice_2;
+      else
+        map_out_disparity_1 <= map_out_disparity_1_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= map_rows_ready_words_1 + (map_rows_ready_newest_0 * 8192);
         map_rows_write_words_1 <= map_rows_ready_newest_1;
         map_at_column <= to_integer(other_0(4 downto 0));
       end if;
-      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
-      map_low_0_1_choice := map_low_0_1 when map_sorted_behind else map_sorted_low_1;
-      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
-      map_middle_0_1_choice := map_middle_0_1 when map_sorted_behind else map_sorted_middle_1;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
-      map_high_0_1_choice := map_high_0_1 when map_sorted_behind else map_sorted_high_1;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_0_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
+      if map_sorted_behind then
+        map_low_0_1_choice := map_low_0_1;
+      else
+        map_low_0_1_choice := map_sorted_low_1;
+      end if;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_0_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_middle_0_1_choice := map_middle_0_1;
+      else
+        map_middle_0_1_choice := map_sorted_middle_1;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_1_choice := map_high_0_1;
+      else
+        map_high_0_1_choice := map_sorted_high_1;
+      end if;
       if map_passed_1_0_any then
         map_low_0_0 <= map_low_0_0_choice;
         map_low_0_1 <= map_low_0_1_choice;
-        map_low_1_0 <= map_low_0_0_choice when map_window_complete_all else map_low_0_0;
-        map_low_1_1 <= map_low_0_1_choice when map_window_complete_all else map_low_0_1;
         map_low_2_0 <= map_low_1_0;
         map_low_2_1 <= map_low_1_1;
         map_middle_0_0 <= map_middle_0_0_choice;
         map_middle_0_1 <= map_middle_0_1_choice;
-        map_middle_1_0 <= map_middle_0_0_choice when map_window_complete_all else map_middle_0_0;
-        map_middle_1_1 <= map_middle_0_1_choice when map_window_complete_all else map_middle_0_1;
         map_middle_2_0 <= map_middle_1_0;
         map_middle_2_1 <= map_middle_1_1;
         map_high_0_0 <= map_high_0_0_choice;
         map_high_0_1 <= map_high_0_1_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_window_complete_all else map_high_0_0;
-        map_high_1_1 <= map_high_0_1_choice when map_window_complete_all else map_high_0_1;
         map_high_2_0 <= map_high_1_0;
         map_high_2_1 <= map_high_1_1;
+        if map_window_complete_all then
+          map_low_1_0 <= map_low_0_0_choice;
+          map_low_1_1 <= map_low_0_1_choice;
+          map_middle_1_0 <= map_middle_0_0_choice;
+          map_middle_1_1 <= map_middle_0_1_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+          map_high_1_1 <= map_high_0_1_choice;
+        else
+          map_low_1_0 <= map_low_0_0;
+          map_low_1_1 <= map_low_0_1;
+          map_middle_1_0 <= map_middle_0_0;
+          map_middle_1_1 <= map_middle_0_1;
+          map_high_1_0 <= map_high_0_0;
+          map_high_1_1 <= map_high_0_1;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;

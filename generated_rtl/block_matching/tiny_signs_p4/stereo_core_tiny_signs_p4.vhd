@@ -341,16 +341,49 @@ architecture rtl of stereo_core_tiny_signs_p4 is
   signal slice2_best_index_3_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
   signal slice2_best_tag_end_of_line : boolean;
+  signal slice2cost_signs_read_words_1_memory_read_enable : boolean;
+  signal slice2cost_signs_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal slice2cost_signs_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal slice2cost_signs_read_words_1_memory_write_data : unsigned(1 downto 0);
+  signal slice2cost_signs_read_words_0_memory_read_enable : boolean;
+  signal slice2cost_signs_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice2cost_signs_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice2cost_signs_read_words_0_memory_write_data : unsigned(1 downto 0);
+  signal slice1cost_signs_read_words_1_memory_read_enable : boolean;
+  signal slice1cost_signs_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal slice1cost_signs_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal slice1cost_signs_read_words_1_memory_write_data : unsigned(2 downto 0);
+  signal slice1cost_signs_read_words_0_memory_read_enable : boolean;
+  signal slice1cost_signs_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice1cost_signs_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice1cost_signs_read_words_0_memory_write_data : unsigned(2 downto 0);
+  signal slice0cost_signs_read_words_1_memory_read_enable : boolean;
+  signal slice0cost_signs_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal slice0cost_signs_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal slice0cost_signs_read_words_1_memory_write_data : unsigned(2 downto 0);
+  signal slice0cost_signs_read_words_0_memory_read_enable : boolean;
+  signal slice0cost_signs_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice0cost_signs_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice0cost_signs_read_words_0_memory_write_data : unsigned(2 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(2 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(2 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(31 downto 0);
 
 begin
@@ -364,93 +397,126 @@ begin
   disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
 
+  slice2cost_signs_read_words_1_memory_read_enable <= true;
+  slice2cost_signs_read_words_1_memory_read_address <= to_unsigned(slice0cost_signs_next_column, 5);
+  slice2cost_signs_read_words_1_memory_write_address <= to_unsigned(slice2cost_signs_write_column, 5);
   slice2cost_signs_read_words_1_memory_write_data <= to_unsigned(slice2cost_signs_write_words_1, 2);
   slice2cost_signs_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 2)
+    generic map (depth => 32, width => 2, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_signs_next_column, read_data => slice2cost_signs_read_words_1,
-      write_address => slice2cost_signs_write_column, write_data => slice2cost_signs_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice2cost_signs_read_words_1_memory_read_enable,
+      read_address => slice2cost_signs_read_words_1_memory_read_address, read_data => slice2cost_signs_read_words_1,
+      write_address => slice2cost_signs_read_words_1_memory_write_address, write_data => slice2cost_signs_read_words_1_memory_write_data);
 
+  slice2cost_signs_read_words_0_memory_read_enable <= true;
+  slice2cost_signs_read_words_0_memory_read_address <= to_unsigned(slice0cost_signs_next_column, 5);
+  slice2cost_signs_read_words_0_memory_write_address <= to_unsigned(slice2cost_signs_write_column, 5);
   slice2cost_signs_read_words_0_memory_write_data <= to_unsigned(slice2cost_signs_write_words_0, 2);
   slice2cost_signs_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 2)
+    generic map (depth => 32, width => 2, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_signs_next_column, read_data => slice2cost_signs_read_words_0,
-      write_address => slice2cost_signs_write_column, write_data => slice2cost_signs_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice2cost_signs_read_words_0_memory_read_enable,
+      read_address => slice2cost_signs_read_words_0_memory_read_address, read_data => slice2cost_signs_read_words_0,
+      write_address => slice2cost_signs_read_words_0_memory_write_address, write_data => slice2cost_signs_read_words_0_memory_write_data);
 
+  slice1cost_signs_read_words_1_memory_read_enable <= true;
+  slice1cost_signs_read_words_1_memory_read_address <= to_unsigned(rows_write_column, 5);
+  slice1cost_signs_read_words_1_memory_write_address <= to_unsigned(slice1cost_signs_write_column, 5);
   slice1cost_signs_read_words_1_memory_write_data <= to_unsigned(slice1cost_signs_write_words_1, 3);
   slice1cost_signs_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 3)
+    generic map (depth => 32, width => 3, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_write_column, read_data => slice1cost_signs_read_words_1,
-      write_address => slice1cost_signs_write_column, write_data => slice1cost_signs_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice1cost_signs_read_words_1_memory_read_enable,
+      read_address => slice1cost_signs_read_words_1_memory_read_address, read_data => slice1cost_signs_read_words_1,
+      write_address => slice1cost_signs_read_words_1_memory_write_address, write_data => slice1cost_signs_read_words_1_memory_write_data);
 
+  slice1cost_signs_read_words_0_memory_read_enable <= true;
+  slice1cost_signs_read_words_0_memory_read_address <= to_unsigned(rows_write_column, 5);
+  slice1cost_signs_read_words_0_memory_write_address <= to_unsigned(slice1cost_signs_write_column, 5);
   slice1cost_signs_read_words_0_memory_write_data <= to_unsigned(slice1cost_signs_write_words_0, 3);
   slice1cost_signs_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 3)
+    generic map (depth => 32, width => 3, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_write_column, read_data => slice1cost_signs_read_words_0,
-      write_address => slice1cost_signs_write_column, write_data => slice1cost_signs_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice1cost_signs_read_words_0_memory_read_enable,
+      read_address => slice1cost_signs_read_words_0_memory_read_address, read_data => slice1cost_signs_read_words_0,
+      write_address => slice1cost_signs_read_words_0_memory_write_address, write_data => slice1cost_signs_read_words_0_memory_write_data);
 
+  slice0cost_signs_read_words_1_memory_read_enable <= true;
+  slice0cost_signs_read_words_1_memory_read_address <= to_unsigned(rows_ready_column, 5);
+  slice0cost_signs_read_words_1_memory_write_address <= to_unsigned(slice0cost_signs_write_column, 5);
   slice0cost_signs_read_words_1_memory_write_data <= to_unsigned(slice0cost_signs_write_words_1, 3);
   slice0cost_signs_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 3)
+    generic map (depth => 32, width => 3, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_ready_column, read_data => slice0cost_signs_read_words_1,
-      write_address => slice0cost_signs_write_column, write_data => slice0cost_signs_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice0cost_signs_read_words_1_memory_read_enable,
+      read_address => slice0cost_signs_read_words_1_memory_read_address, read_data => slice0cost_signs_read_words_1,
+      write_address => slice0cost_signs_read_words_1_memory_write_address, write_data => slice0cost_signs_read_words_1_memory_write_data);
 
+  slice0cost_signs_read_words_0_memory_read_enable <= true;
+  slice0cost_signs_read_words_0_memory_read_address <= to_unsigned(rows_ready_column, 5);
+  slice0cost_signs_read_words_0_memory_write_address <= to_unsigned(slice0cost_signs_write_column, 5);
   slice0cost_signs_read_words_0_memory_write_data <= to_unsigned(slice0cost_signs_write_words_0, 3);
   slice0cost_signs_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 3)
+    generic map (depth => 32, width => 3, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_ready_column, read_data => slice0cost_signs_read_words_0,
-      write_address => slice0cost_signs_write_column, write_data => slice0cost_signs_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice0cost_signs_read_words_0_memory_read_enable,
+      read_address => slice0cost_signs_read_words_0_memory_read_address, read_data => slice0cost_signs_read_words_0,
+      write_address => slice0cost_signs_read_words_0_memory_write_address, write_data => slice0cost_signs_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(slice0cost_signs_column, 5);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 8);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 8)
+    generic map (depth => 32, width => 8, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => slice0cost_signs_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(slice0cost_signs_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => slice0cost_signs_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(slice0cost_signs_column, 5);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 8);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 8)
+    generic map (depth => 32, width => 8, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => slice0cost_signs_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(slice0cost_signs_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => slice0cost_signs_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 3);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 3);
   delay_delayed_0_memory_write_data <= raster_features_reference;
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 32)
+    generic map (depth => 8, width => 32, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
@@ -519,64 +585,121 @@ begin
       raster_place_group_is_equal := raster_place_column = 31;
       raster_place_group_is_equal_2 := raster_place_group = 2;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_all_2 := raster_place_next_frame and (raster_place_group = 3);
-      raster_place_group_choice_2 := 1 when raster_place_group_all_2 else (raster_place_group + 1) mod 8;
-      raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 4) and
-        raster_place_group_is_equal and in_valid else raster_place_group;
+      if raster_place_group_all_2 then
+        raster_place_group_choice_2 := 1;
+      else
+        raster_place_group_choice_2 := (raster_place_group + 1) mod 8;
+      end if;
+      if (raster_place_group /= 4) and raster_place_group_is_equal and in_valid then
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      else
+        raster_place_group_choice_3 := raster_place_group;
+      end if;
       raster_features_search_0 <= to_integer(in_left_pixel(7 downto 0));
       raster_features_search_1 <= to_integer(in_left_pixel(15 downto 8));
       raster_features_search_2 <= to_integer(in_left_pixel(23 downto 16));
       raster_features_search_3 <= to_integer(in_left_pixel(31 downto 24));
       raster_features_reference <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice when in_start_of_frame and in_valid else
-        raster_place_group_choice_3;
-      raster_place_column_choice := in_start_of_frame or ((raster_place_column mod 2) = 1) when (raster_place_column /
-        2) = 15 else in_start_of_frame;
-      raster_place_next_frame_choice := (not raster_place_group_all_2) and raster_place_next_frame when
-        raster_place_group_is_equal else raster_place_next_frame;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= raster_place_group_choice;
+      else
+        raster_place_group <= raster_place_group_choice_3;
+      end if;
+      if (raster_place_column / 2) = 15 then
+        raster_place_column_choice := in_start_of_frame or ((raster_place_column mod 2) = 1);
+      else
+        raster_place_column_choice := in_start_of_frame;
+      end if;
+      if raster_place_group_is_equal then
+        raster_place_next_frame_choice := (not raster_place_group_all_2) and raster_place_next_frame;
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_column_choice else (raster_place_column + 1) mod 32;
-        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_place_next_frame_choice else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame;
+        if raster_place_column_choice then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
+        if raster_place_next_frame_choice then
+          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
+        else
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 7 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 8;
+        end if;
       end if;
       delay_row_inside_0_is_equal := (raster_place_group / 2) = 1;
-      delay_row_inside_1_choice := not ((raster_place_group / 4) = 1) when (raster_place_group mod 2) = 1 else
-        delay_row_inside_0_is_equal;
+      if (raster_place_group mod 2) = 1 then
+        delay_row_inside_1_choice := not ((raster_place_group / 4) = 1);
+      else
+        delay_row_inside_1_choice := delay_row_inside_0_is_equal;
+      end if;
       delay_tag_newest_inside_is_equal := (raster_place_group / 2) = 0;
-      delay_tag_newest_inside_choice := delay_tag_newest_inside_is_equal when (raster_place_group mod 2) = 1 else not
-        ((raster_place_group / 4) = 1);
-      delay_tag_newest_inside_choice_2 := 0 when raster_place_group = 0 else 7;
-      delay_tag_newest_inside_choice_3 := 0 when (raster_place_group / 4) = 1 else 3;
+      if (raster_place_group mod 2) = 1 then
+        delay_tag_newest_inside_choice := delay_tag_newest_inside_is_equal;
+      else
+        delay_tag_newest_inside_choice := not ((raster_place_group / 4) = 1);
+      end if;
+      if raster_place_group = 0 then
+        delay_tag_newest_inside_choice_2 := 0;
+      else
+        delay_tag_newest_inside_choice_2 := 7;
+      end if;
+      if (raster_place_group / 4) = 1 then
+        delay_tag_newest_inside_choice_3 := 0;
+      else
+        delay_tag_newest_inside_choice_3 := 3;
+      end if;
       delay_tag_newest_inside_sum := (delay_tag_newest_inside_choice_3 * 2) + as_number((not ((raster_place_group / 4)
         = 1)));
-      delay_tag_newest_inside_choice_4 := delay_tag_newest_inside_choice_2 when delay_tag_newest_inside_is_equal else
-        delay_tag_newest_inside_sum;
-      delay_tag_newest_inside_choice_5 := delay_tag_newest_inside_choice_4 when delay_tag_newest_inside_choice else
-        delay_tag_newest_inside_sum;
+      if delay_tag_newest_inside_is_equal then
+        delay_tag_newest_inside_choice_4 := delay_tag_newest_inside_choice_2;
+      else
+        delay_tag_newest_inside_choice_4 := delay_tag_newest_inside_sum;
+      end if;
+      if delay_tag_newest_inside_choice then
+        delay_tag_newest_inside_choice_5 := delay_tag_newest_inside_choice_4;
+      else
+        delay_tag_newest_inside_choice_5 := delay_tag_newest_inside_sum;
+      end if;
       delay_ahead_0 <= raster_features_search_0;
       delay_ahead_1 <= raster_features_search_1;
       delay_ahead_2 <= raster_features_search_2;
       delay_ahead_3 <= raster_features_search_3;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= delay_row_inside_0_is_equal when (raster_place_group mod 2) = 1 else ((raster_place_group /
-        4) = 1) /= (((raster_place_group / 2) mod 2) = 1);
       delay_row_inside_1 <= delay_row_inside_1_choice;
       delay_tag_valid <= raster_features_valid;
       delay_tag_newest_inside <= delay_tag_newest_inside_choice_5 + (as_number(delay_tag_newest_inside_choice) * 8);
-      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
-        (raster_place_column / 8) = 0;
       delay_tag_output_column <= (raster_place_column >= 7) and (raster_place_column < 31) and
         delay_row_inside_1_choice;
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
+      if (raster_place_group mod 2) = 1 then
+        delay_row_inside_0 <= delay_row_inside_0_is_equal;
+      else
+        delay_row_inside_0 <= ((raster_place_group / 4) = 1) /= (((raster_place_group / 2) mod 2) = 1);
+      end if;
+      if (raster_place_column mod 4) = 3 then
+        delay_tag_border_column <= (raster_place_column / 4) = 0;
+      else
+        delay_tag_border_column <= (raster_place_column / 8) = 0;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_read_newest_1 <= delay_ahead_1;
@@ -617,14 +740,10 @@ begin
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
       rows_write_column <= rows_ready_column;
-      rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8)) when rows_ready_inside_1 else 0;
       rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16));
       rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24));
       rows_search_4 <= rows_search_rows_ready_words_1;
       rows_search_5 <= rows_search_rows_ready_newest_0;
-      rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8)) when rows_ready_inside_1 else 0;
       rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16));
       rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24));
       rows_reference_4 <= rows_reference_rows_ready_words_1;
@@ -635,6 +754,20 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
+        rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8));
+        rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8));
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= to_unsigned(rows_search_rows_ready_newest_2, 8) &
           to_unsigned(rows_search_rows_ready_newest_1, 8) & to_unsigned(rows_search_rows_ready_newest_0, 8) &
@@ -688,32 +821,68 @@ begin
       if rows_ready_tag_valid then
         slice0cost_signs_column <= rows_ready_column;
       end if;
-      slice0cost_difference_0_0_choice := slice0shift_reference_0 when (slice0cost_signs_ready_words_0 mod 2) = 1 else
-        slice0shift_search_0_0;
-      slice0cost_difference_0_0_choice_2 := slice0shift_search_0_0 when (slice0cost_signs_ready_words_0 mod 2) = 1 else
-        slice0shift_reference_0;
+      if (slice0cost_signs_ready_words_0 mod 2) = 1 then
+        slice0cost_difference_0_0_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_0_choice := slice0shift_search_0_0;
+      end if;
+      if (slice0cost_signs_ready_words_0 mod 2) = 1 then
+        slice0cost_difference_0_0_choice_2 := slice0shift_search_0_0;
+      else
+        slice0cost_difference_0_0_choice_2 := slice0shift_reference_0;
+      end if;
       slice0cost_difference_0_1_value := ((slice0cost_signs_ready_words_0 / 2) mod 2) = 1;
-      slice0cost_difference_0_1_choice := slice0shift_reference_0 when slice0cost_difference_0_1_value else
-        slice0shift_search_0_1;
-      slice0cost_difference_0_1_choice_2 := slice0shift_search_0_1 when slice0cost_difference_0_1_value else
-        slice0shift_reference_0;
-      slice0cost_difference_0_2_choice := slice0shift_reference_0 when (slice0cost_signs_ready_words_0 / 4) = 1 else
-        slice0shift_search_0_2;
-      slice0cost_difference_0_2_choice_2 := slice0shift_search_0_2 when (slice0cost_signs_ready_words_0 / 4) = 1 else
-        slice0shift_reference_0;
-      slice0cost_difference_1_0_choice := slice0shift_reference_1 when (slice0cost_signs_ready_words_1 mod 2) = 1 else
-        slice0shift_search_1_0;
-      slice0cost_difference_1_0_choice_2 := slice0shift_search_1_0 when (slice0cost_signs_ready_words_1 mod 2) = 1 else
-        slice0shift_reference_1;
+      if slice0cost_difference_0_1_value then
+        slice0cost_difference_0_1_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_1_choice := slice0shift_search_0_1;
+      end if;
+      if slice0cost_difference_0_1_value then
+        slice0cost_difference_0_1_choice_2 := slice0shift_search_0_1;
+      else
+        slice0cost_difference_0_1_choice_2 := slice0shift_reference_0;
+      end if;
+      if (slice0cost_signs_ready_words_0 / 4) = 1 then
+        slice0cost_difference_0_2_choice := slice0shift_reference_0;
+      else
+        slice0cost_difference_0_2_choice := slice0shift_search_0_2;
+      end if;
+      if (slice0cost_signs_ready_words_0 / 4) = 1 then
+        slice0cost_difference_0_2_choice_2 := slice0shift_search_0_2;
+      else
+        slice0cost_difference_0_2_choice_2 := slice0shift_reference_0;
+      end if;
+      if (slice0cost_signs_ready_words_1 mod 2) = 1 then
+        slice0cost_difference_1_0_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_0_choice := slice0shift_search_1_0;
+      end if;
+      if (slice0cost_signs_ready_words_1 mod 2) = 1 then
+        slice0cost_difference_1_0_choice_2 := slice0shift_search_1_0;
+      else
+        slice0cost_difference_1_0_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_1_1_value := ((slice0cost_signs_ready_words_1 / 2) mod 2) = 1;
-      slice0cost_difference_1_1_choice := slice0shift_reference_1 when slice0cost_difference_1_1_value else
-        slice0shift_search_1_1;
-      slice0cost_difference_1_1_choice_2 := slice0shift_search_1_1 when slice0cost_difference_1_1_value else
-        slice0shift_reference_1;
-      slice0cost_difference_1_2_choice := slice0shift_reference_1 when (slice0cost_signs_ready_words_1 / 4) = 1 else
-        slice0shift_search_1_2;
-      slice0cost_difference_1_2_choice_2 := slice0shift_search_1_2 when (slice0cost_signs_ready_words_1 / 4) = 1 else
-        slice0shift_reference_1;
+      if slice0cost_difference_1_1_value then
+        slice0cost_difference_1_1_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_1_choice := slice0shift_search_1_1;
+      end if;
+      if slice0cost_difference_1_1_value then
+        slice0cost_difference_1_1_choice_2 := slice0shift_search_1_1;
+      else
+        slice0cost_difference_1_1_choice_2 := slice0shift_reference_1;
+      end if;
+      if (slice0cost_signs_ready_words_1 / 4) = 1 then
+        slice0cost_difference_1_2_choice := slice0shift_reference_1;
+      else
+        slice0cost_difference_1_2_choice := slice0shift_search_1_2;
+      end if;
+      if (slice0cost_signs_ready_words_1 / 4) = 1 then
+        slice0cost_difference_1_2_choice_2 := slice0shift_search_1_2;
+      else
+        slice0cost_difference_1_2_choice_2 := slice0shift_reference_1;
+      end if;
       slice0cost_difference_3_0_value := ((slice0shift_tag_newest_inside / 2) mod 2) = 1;
       slice0cost_difference_4_0_value := ((slice0shift_tag_newest_inside / 4) mod 2) = 1;
       slice0cost_difference_4_0_difference := slice0shift_search_4_0 - slice0shift_reference_4;
@@ -744,27 +913,6 @@ begin
       slice0cost_difference_1_0 <= (slice0cost_difference_1_0_choice - slice0cost_difference_1_0_choice_2) mod 256;
       slice0cost_difference_1_1 <= (slice0cost_difference_1_1_choice - slice0cost_difference_1_1_choice_2) mod 256;
       slice0cost_difference_1_2 <= (slice0cost_difference_1_2_choice - slice0cost_difference_1_2_choice_2) mod 256;
-      slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2 when (slice0shift_tag_newest_inside
-        mod 2) = 1 else 0;
-      slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2 when (slice0shift_tag_newest_inside
-        mod 2) = 1 else 0;
-      slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2 when (slice0shift_tag_newest_inside
-        mod 2) = 1 else 0;
-      slice0cost_difference_3_0 <= slice0shift_search_3_0 - slice0shift_reference_3 when
-        slice0cost_difference_3_0_value else 0;
-      slice0cost_difference_3_1 <= slice0shift_search_3_1 - slice0shift_reference_3 when
-        slice0cost_difference_3_0_value else 0;
-      slice0cost_difference_3_2 <= slice0shift_search_3_2 - slice0shift_reference_3 when
-        slice0cost_difference_3_0_value else 0;
-      slice0cost_difference_4_0 <= slice0cost_difference_4_0_difference when slice0cost_difference_4_0_value else 0;
-      slice0cost_difference_4_1 <= slice0cost_difference_4_1_difference when slice0cost_difference_4_0_value else 0;
-      slice0cost_difference_4_2 <= slice0cost_difference_4_2_difference when slice0cost_difference_4_0_value else 0;
-      slice0cost_difference_5_0 <= slice0cost_difference_5_0_difference when (slice0shift_tag_newest_inside / 8) = 1
-        else 0;
-      slice0cost_difference_5_1 <= slice0cost_difference_5_1_difference when (slice0shift_tag_newest_inside / 8) = 1
-        else 0;
-      slice0cost_difference_5_2 <= slice0cost_difference_5_2_difference when (slice0shift_tag_newest_inside / 8) = 1
-        else 0;
       slice0cost_newest_negative_2_0 <= slice0cost_difference_4_0_difference < 0;
       slice0cost_newest_negative_2_1 <= slice0cost_difference_4_1_difference < 0;
       slice0cost_newest_negative_2_2 <= slice0cost_difference_4_2_difference < 0;
@@ -813,35 +961,77 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        slice0cost_single_0_2;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_single_negative_3_0)
-        + slice0cost_pair_0_0 + slice0cost_single_3_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_single_negative_3_1)
-        + slice0cost_pair_0_1 + slice0cost_single_3_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_single_negative_3_2)
-        + slice0cost_pair_0_2 + slice0cost_single_3_2;
-      slice0cost_column_2_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_0 +
-        as_number(slice0cost_negative_1_0) + slice0cost_single_2_0;
-      slice0cost_column_2_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_1 +
-        as_number(slice0cost_negative_1_1) + slice0cost_single_2_1;
-      slice0cost_column_2_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_2 +
-        as_number(slice0cost_negative_1_2) + slice0cost_single_2_2;
-      slice0cost_column_3_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_0 +
-        as_number(slice0cost_negative_1_0) + slice0cost_single_5_0;
-      slice0cost_column_3_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_1 +
-        as_number(slice0cost_negative_1_1) + slice0cost_single_5_1;
-      slice0cost_column_3_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_1_2 +
-        as_number(slice0cost_negative_1_2) + slice0cost_single_5_2;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if (slice0shift_tag_newest_inside mod 2) = 1 then
+        slice0cost_difference_2_0 <= slice0shift_search_2_0 - slice0shift_reference_2;
+        slice0cost_difference_2_1 <= slice0shift_search_2_1 - slice0shift_reference_2;
+        slice0cost_difference_2_2 <= slice0shift_search_2_2 - slice0shift_reference_2;
+      else
+        slice0cost_difference_2_0 <= 0;
+        slice0cost_difference_2_1 <= 0;
+        slice0cost_difference_2_2 <= 0;
+      end if;
+      if slice0cost_difference_3_0_value then
+        slice0cost_difference_3_0 <= slice0shift_search_3_0 - slice0shift_reference_3;
+        slice0cost_difference_3_1 <= slice0shift_search_3_1 - slice0shift_reference_3;
+        slice0cost_difference_3_2 <= slice0shift_search_3_2 - slice0shift_reference_3;
+      else
+        slice0cost_difference_3_0 <= 0;
+        slice0cost_difference_3_1 <= 0;
+        slice0cost_difference_3_2 <= 0;
+      end if;
+      if slice0cost_difference_4_0_value then
+        slice0cost_difference_4_0 <= slice0cost_difference_4_0_difference;
+        slice0cost_difference_4_1 <= slice0cost_difference_4_1_difference;
+        slice0cost_difference_4_2 <= slice0cost_difference_4_2_difference;
+      else
+        slice0cost_difference_4_0 <= 0;
+        slice0cost_difference_4_1 <= 0;
+        slice0cost_difference_4_2 <= 0;
+      end if;
+      if (slice0shift_tag_newest_inside / 8) = 1 then
+        slice0cost_difference_5_0 <= slice0cost_difference_5_0_difference;
+        slice0cost_difference_5_1 <= slice0cost_difference_5_1_difference;
+        slice0cost_difference_5_2 <= slice0cost_difference_5_2_difference;
+      else
+        slice0cost_difference_5_0 <= 0;
+        slice0cost_difference_5_1 <= 0;
+        slice0cost_difference_5_2 <= 0;
+      end if;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_1_0 <= 0;
+        slice0cost_column_1_1 <= 0;
+        slice0cost_column_1_2 <= 0;
+        slice0cost_column_2_0 <= 0;
+        slice0cost_column_2_1 <= 0;
+        slice0cost_column_2_2 <= 0;
+        slice0cost_column_3_0 <= 0;
+        slice0cost_column_3_1 <= 0;
+        slice0cost_column_3_2 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_column_1_0 <= as_number(slice0cost_single_negative_3_0) + slice0cost_pair_0_0 +
+          slice0cost_single_3_0;
+        slice0cost_column_1_1 <= as_number(slice0cost_single_negative_3_1) + slice0cost_pair_0_1 +
+          slice0cost_single_3_1;
+        slice0cost_column_1_2 <= as_number(slice0cost_single_negative_3_2) + slice0cost_pair_0_2 +
+          slice0cost_single_3_2;
+        slice0cost_column_2_0 <= slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0) + slice0cost_single_2_0;
+        slice0cost_column_2_1 <= slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1) + slice0cost_single_2_1;
+        slice0cost_column_2_2 <= slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2) + slice0cost_single_2_2;
+        slice0cost_column_3_0 <= slice0cost_pair_1_0 + as_number(slice0cost_negative_1_0) + slice0cost_single_5_0;
+        slice0cost_column_3_1 <= slice0cost_pair_1_1 + as_number(slice0cost_negative_1_1) + slice0cost_single_5_1;
+        slice0cost_column_3_2 <= slice0cost_pair_1_2 + as_number(slice0cost_negative_1_2) + slice0cost_single_5_2;
+      end if;
       if slice0cost_difference_tag_valid then
         slice0cost_signs_write_column <= slice0cost_signs_difference_column;
         slice0cost_signs_write_words_0 <= as_number(slice0cost_newest_negative_2_0) +
@@ -900,17 +1090,9 @@ begin
       slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
       slice0winner1_best_cost_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
       slice0winner1_best_cost_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
       slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
       slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
-      slice0winner1_best_cost_2_0 <= slice0window_sum_2_1 when slice0winner1_best_cost_2_0_is_less else
-        slice0window_sum_2_0;
       slice0winner1_best_cost_2_1 <= slice0window_sum_2_2;
-      slice0winner1_best_cost_3_0 <= slice0window_sum_3_1 when slice0winner1_best_cost_3_0_is_less else
-        slice0window_sum_3_0;
       slice0winner1_best_cost_3_1 <= slice0window_sum_3_2;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
       slice0winner1_best_index_0_1 <= 2;
@@ -918,6 +1100,26 @@ begin
       slice0winner1_best_index_2_0 <= slice0winner1_best_cost_2_0_is_less;
       slice0winner1_best_index_3_0 <= slice0winner1_best_cost_3_0_is_less;
       slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+      end if;
+      if slice0winner1_best_cost_1_0_is_less then
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_1;
+      else
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_0;
+      end if;
+      if slice0winner1_best_cost_2_0_is_less then
+        slice0winner1_best_cost_2_0 <= slice0window_sum_2_1;
+      else
+        slice0winner1_best_cost_2_0 <= slice0window_sum_2_0;
+      end if;
+      if slice0winner1_best_cost_3_0_is_less then
+        slice0winner1_best_cost_3_0 <= slice0window_sum_3_1;
+      else
+        slice0winner1_best_cost_3_0 <= slice0window_sum_3_0;
+      end if;
       if slice0winner1_tag_valid then
         slice0winner1_tag_output_column <= slice0window_tag_output_column;
         slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -928,26 +1130,38 @@ begin
       slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
       slice0winner2_best_cost_2_0_is_less := (slice0winner1_best_cost_2_1 - slice0winner1_best_cost_2_0) < 0;
       slice0winner2_best_cost_3_0_is_less := (slice0winner1_best_cost_3_1 - slice0winner1_best_cost_3_0) < 0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1 when slice0winner2_best_cost_2_0_is_less else
-        slice0winner1_best_cost_2_0;
-      slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1 when slice0winner2_best_cost_3_0_is_less else
-        slice0winner1_best_cost_3_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_2_0_is_less else
-        as_number(slice0winner1_best_index_2_0);
-      slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_3_0_is_less else
-        as_number(slice0winner1_best_index_3_0);
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+      end if;
+      if slice0winner2_best_cost_1_0_is_less then
+        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1;
+        slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+        slice0winner2_best_index_1_0 <= as_number(slice0winner1_best_index_1_0);
+      end if;
+      if slice0winner2_best_cost_2_0_is_less then
+        slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1;
+        slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_0;
+        slice0winner2_best_index_2_0 <= as_number(slice0winner1_best_index_2_0);
+      end if;
+      if slice0winner2_best_cost_3_0_is_less then
+        slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1;
+        slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_0;
+        slice0winner2_best_index_3_0 <= as_number(slice0winner1_best_index_3_0);
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
       slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
@@ -995,32 +1209,68 @@ begin
       slice1shift_search_out_4 <= slice1shift_search_4_0;
       slice1shift_search_out_5 <= slice1shift_search_5_0;
       -- slice1cost
-      slice1cost_difference_0_0_choice := slice1shift_reference_0 when (slice1cost_signs_ready_words_0 mod 2) = 1 else
-        slice1shift_search_0_0;
-      slice1cost_difference_0_0_choice_2 := slice1shift_search_0_0 when (slice1cost_signs_ready_words_0 mod 2) = 1 else
-        slice1shift_reference_0;
+      if (slice1cost_signs_ready_words_0 mod 2) = 1 then
+        slice1cost_difference_0_0_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_0_choice := slice1shift_search_0_0;
+      end if;
+      if (slice1cost_signs_ready_words_0 mod 2) = 1 then
+        slice1cost_difference_0_0_choice_2 := slice1shift_search_0_0;
+      else
+        slice1cost_difference_0_0_choice_2 := slice1shift_reference_0;
+      end if;
       slice1cost_difference_0_1_value := ((slice1cost_signs_ready_words_0 / 2) mod 2) = 1;
-      slice1cost_difference_0_1_choice := slice1shift_reference_0 when slice1cost_difference_0_1_value else
-        slice1shift_search_0_1;
-      slice1cost_difference_0_1_choice_2 := slice1shift_search_0_1 when slice1cost_difference_0_1_value else
-        slice1shift_reference_0;
-      slice1cost_difference_0_2_choice := slice1shift_reference_0 when (slice1cost_signs_ready_words_0 / 4) = 1 else
-        slice1shift_search_0_2;
-      slice1cost_difference_0_2_choice_2 := slice1shift_search_0_2 when (slice1cost_signs_ready_words_0 / 4) = 1 else
-        slice1shift_reference_0;
-      slice1cost_difference_1_0_choice := slice1shift_reference_1 when (slice1cost_signs_ready_words_1 mod 2) = 1 else
-        slice1shift_search_1_0;
-      slice1cost_difference_1_0_choice_2 := slice1shift_search_1_0 when (slice1cost_signs_ready_words_1 mod 2) = 1 else
-        slice1shift_reference_1;
+      if slice1cost_difference_0_1_value then
+        slice1cost_difference_0_1_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_1_choice := slice1shift_search_0_1;
+      end if;
+      if slice1cost_difference_0_1_value then
+        slice1cost_difference_0_1_choice_2 := slice1shift_search_0_1;
+      else
+        slice1cost_difference_0_1_choice_2 := slice1shift_reference_0;
+      end if;
+      if (slice1cost_signs_ready_words_0 / 4) = 1 then
+        slice1cost_difference_0_2_choice := slice1shift_reference_0;
+      else
+        slice1cost_difference_0_2_choice := slice1shift_search_0_2;
+      end if;
+      if (slice1cost_signs_ready_words_0 / 4) = 1 then
+        slice1cost_difference_0_2_choice_2 := slice1shift_search_0_2;
+      else
+        slice1cost_difference_0_2_choice_2 := slice1shift_reference_0;
+      end if;
+      if (slice1cost_signs_ready_words_1 mod 2) = 1 then
+        slice1cost_difference_1_0_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_0_choice := slice1shift_search_1_0;
+      end if;
+      if (slice1cost_signs_ready_words_1 mod 2) = 1 then
+        slice1cost_difference_1_0_choice_2 := slice1shift_search_1_0;
+      else
+        slice1cost_difference_1_0_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_1_1_value := ((slice1cost_signs_ready_words_1 / 2) mod 2) = 1;
-      slice1cost_difference_1_1_choice := slice1shift_reference_1 when slice1cost_difference_1_1_value else
-        slice1shift_search_1_1;
-      slice1cost_difference_1_1_choice_2 := slice1shift_search_1_1 when slice1cost_difference_1_1_value else
-        slice1shift_reference_1;
-      slice1cost_difference_1_2_choice := slice1shift_reference_1 when (slice1cost_signs_ready_words_1 / 4) = 1 else
-        slice1shift_search_1_2;
-      slice1cost_difference_1_2_choice_2 := slice1shift_search_1_2 when (slice1cost_signs_ready_words_1 / 4) = 1 else
-        slice1shift_reference_1;
+      if slice1cost_difference_1_1_value then
+        slice1cost_difference_1_1_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_1_choice := slice1shift_search_1_1;
+      end if;
+      if slice1cost_difference_1_1_value then
+        slice1cost_difference_1_1_choice_2 := slice1shift_search_1_1;
+      else
+        slice1cost_difference_1_1_choice_2 := slice1shift_reference_1;
+      end if;
+      if (slice1cost_signs_ready_words_1 / 4) = 1 then
+        slice1cost_difference_1_2_choice := slice1shift_reference_1;
+      else
+        slice1cost_difference_1_2_choice := slice1shift_search_1_2;
+      end if;
+      if (slice1cost_signs_ready_words_1 / 4) = 1 then
+        slice1cost_difference_1_2_choice_2 := slice1shift_search_1_2;
+      else
+        slice1cost_difference_1_2_choice_2 := slice1shift_reference_1;
+      end if;
       slice1cost_difference_3_0_value := ((slice0cost_difference_tag_newest_inside / 2) mod 2) = 1;
       slice1cost_difference_4_0_value := ((slice0cost_difference_tag_newest_inside / 4) mod 2) = 1;
       slice1cost_difference_4_0_difference := slice1shift_search_4_0 - slice1shift_reference_4;
@@ -1050,27 +1300,6 @@ begin
       slice1cost_difference_1_0 <= (slice1cost_difference_1_0_choice - slice1cost_difference_1_0_choice_2) mod 256;
       slice1cost_difference_1_1 <= (slice1cost_difference_1_1_choice - slice1cost_difference_1_1_choice_2) mod 256;
       slice1cost_difference_1_2 <= (slice1cost_difference_1_2_choice - slice1cost_difference_1_2_choice_2) mod 256;
-      slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2 when
-        (slice0cost_difference_tag_newest_inside mod 2) = 1 else 0;
-      slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2 when
-        (slice0cost_difference_tag_newest_inside mod 2) = 1 else 0;
-      slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2 when
-        (slice0cost_difference_tag_newest_inside mod 2) = 1 else 0;
-      slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3 when
-        slice1cost_difference_3_0_value else 0;
-      slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3 when
-        slice1cost_difference_3_0_value else 0;
-      slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3 when
-        slice1cost_difference_3_0_value else 0;
-      slice1cost_difference_4_0 <= slice1cost_difference_4_0_difference when slice1cost_difference_4_0_value else 0;
-      slice1cost_difference_4_1 <= slice1cost_difference_4_1_difference when slice1cost_difference_4_0_value else 0;
-      slice1cost_difference_4_2 <= slice1cost_difference_4_2_difference when slice1cost_difference_4_0_value else 0;
-      slice1cost_difference_5_0 <= slice1cost_difference_5_0_difference when (slice0cost_difference_tag_newest_inside /
-        8) = 1 else 0;
-      slice1cost_difference_5_1 <= slice1cost_difference_5_1_difference when (slice0cost_difference_tag_newest_inside /
-        8) = 1 else 0;
-      slice1cost_difference_5_2 <= slice1cost_difference_5_2_difference when (slice0cost_difference_tag_newest_inside /
-        8) = 1 else 0;
       slice1cost_newest_negative_2_0 <= slice1cost_difference_4_0_difference < 0;
       slice1cost_newest_negative_2_1 <= slice1cost_difference_4_1_difference < 0;
       slice1cost_newest_negative_2_2 <= slice1cost_difference_4_2_difference < 0;
@@ -1107,28 +1336,73 @@ begin
       slice1cost_single_negative_3_0 <= slice1cost_pair_1_0_is_less;
       slice1cost_single_negative_3_1 <= slice1cost_pair_1_1_is_less;
       slice1cost_single_negative_3_2 <= slice1cost_pair_1_2_is_less;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_0) +
-        slice1cost_pair_0_0 + slice1cost_single_3_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_1) +
-        slice1cost_pair_0_1 + slice1cost_single_3_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_single_negative_3_2) +
-        slice1cost_pair_0_2 + slice1cost_single_3_2;
-      slice1cost_column_2_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_0 +
-        as_number(slice1cost_negative_1_0) + slice1cost_single_2_0;
-      slice1cost_column_2_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_1 +
-        as_number(slice1cost_negative_1_1) + slice1cost_single_2_1;
-      slice1cost_column_2_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_2 +
-        as_number(slice1cost_negative_1_2) + slice1cost_single_2_2;
-      slice1cost_column_3_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_0 +
-        as_number(slice1cost_negative_1_0) + slice1cost_single_5_0;
-      slice1cost_column_3_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_1 +
-        as_number(slice1cost_negative_1_1) + slice1cost_single_5_1;
-      slice1cost_column_3_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_1_2 +
-        as_number(slice1cost_negative_1_2) + slice1cost_single_5_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if (slice0cost_difference_tag_newest_inside mod 2) = 1 then
+        slice1cost_difference_2_0 <= slice1shift_search_2_0 - slice1shift_reference_2;
+        slice1cost_difference_2_1 <= slice1shift_search_2_1 - slice1shift_reference_2;
+        slice1cost_difference_2_2 <= slice1shift_search_2_2 - slice1shift_reference_2;
+      else
+        slice1cost_difference_2_0 <= 0;
+        slice1cost_difference_2_1 <= 0;
+        slice1cost_difference_2_2 <= 0;
+      end if;
+      if slice1cost_difference_3_0_value then
+        slice1cost_difference_3_0 <= slice1shift_search_3_0 - slice1shift_reference_3;
+        slice1cost_difference_3_1 <= slice1shift_search_3_1 - slice1shift_reference_3;
+        slice1cost_difference_3_2 <= slice1shift_search_3_2 - slice1shift_reference_3;
+      else
+        slice1cost_difference_3_0 <= 0;
+        slice1cost_difference_3_1 <= 0;
+        slice1cost_difference_3_2 <= 0;
+      end if;
+      if slice1cost_difference_4_0_value then
+        slice1cost_difference_4_0 <= slice1cost_difference_4_0_difference;
+        slice1cost_difference_4_1 <= slice1cost_difference_4_1_difference;
+        slice1cost_difference_4_2 <= slice1cost_difference_4_2_difference;
+      else
+        slice1cost_difference_4_0 <= 0;
+        slice1cost_difference_4_1 <= 0;
+        slice1cost_difference_4_2 <= 0;
+      end if;
+      if (slice0cost_difference_tag_newest_inside / 8) = 1 then
+        slice1cost_difference_5_0 <= slice1cost_difference_5_0_difference;
+        slice1cost_difference_5_1 <= slice1cost_difference_5_1_difference;
+        slice1cost_difference_5_2 <= slice1cost_difference_5_2_difference;
+      else
+        slice1cost_difference_5_0 <= 0;
+        slice1cost_difference_5_1 <= 0;
+        slice1cost_difference_5_2 <= 0;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_1_0 <= 0;
+        slice1cost_column_1_1 <= 0;
+        slice1cost_column_1_2 <= 0;
+        slice1cost_column_2_0 <= 0;
+        slice1cost_column_2_1 <= 0;
+        slice1cost_column_2_2 <= 0;
+        slice1cost_column_3_0 <= 0;
+        slice1cost_column_3_1 <= 0;
+        slice1cost_column_3_2 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_column_1_0 <= as_number(slice1cost_single_negative_3_0) + slice1cost_pair_0_0 +
+          slice1cost_single_3_0;
+        slice1cost_column_1_1 <= as_number(slice1cost_single_negative_3_1) + slice1cost_pair_0_1 +
+          slice1cost_single_3_1;
+        slice1cost_column_1_2 <= as_number(slice1cost_single_negative_3_2) + slice1cost_pair_0_2 +
+          slice1cost_single_3_2;
+        slice1cost_column_2_0 <= slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0) + slice1cost_single_2_0;
+        slice1cost_column_2_1 <= slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1) + slice1cost_single_2_1;
+        slice1cost_column_2_2 <= slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2) + slice1cost_single_2_2;
+        slice1cost_column_3_0 <= slice1cost_pair_1_0 + as_number(slice1cost_negative_1_0) + slice1cost_single_5_0;
+        slice1cost_column_3_1 <= slice1cost_pair_1_1 + as_number(slice1cost_negative_1_1) + slice1cost_single_5_1;
+        slice1cost_column_3_2 <= slice1cost_pair_1_2 + as_number(slice1cost_negative_1_2) + slice1cost_single_5_2;
+      end if;
       if slice0cost_pair_tag_valid then
         slice1cost_signs_write_column <= slice1cost_signs_difference_column;
         slice1cost_signs_write_words_0 <= as_number(slice1cost_newest_negative_2_0) +
@@ -1180,64 +1454,104 @@ begin
       slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
       slice1winner1_best_cost_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
       slice1winner1_best_cost_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
       slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
       slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
-      slice1winner1_best_cost_2_0 <= slice1window_sum_2_1 when slice1winner1_best_cost_2_0_is_less else
-        slice1window_sum_2_0;
       slice1winner1_best_cost_2_1 <= slice1window_sum_2_2;
-      slice1winner1_best_cost_3_0 <= slice1window_sum_3_1 when slice1winner1_best_cost_3_0_is_less else
-        slice1window_sum_3_0;
       slice1winner1_best_cost_3_1 <= slice1window_sum_3_2;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
       slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
       slice1winner1_best_index_2_0 <= slice1winner1_best_cost_2_0_is_less;
       slice1winner1_best_index_3_0 <= slice1winner1_best_cost_3_0_is_less;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+      end if;
+      if slice1winner1_best_cost_1_0_is_less then
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_1;
+      else
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_0;
+      end if;
+      if slice1winner1_best_cost_2_0_is_less then
+        slice1winner1_best_cost_2_0 <= slice1window_sum_2_1;
+      else
+        slice1winner1_best_cost_2_0 <= slice1window_sum_2_0;
+      end if;
+      if slice1winner1_best_cost_3_0_is_less then
+        slice1winner1_best_cost_3_0 <= slice1window_sum_3_1;
+      else
+        slice1winner1_best_cost_3_0 <= slice1window_sum_3_0;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
       slice1winner2_best_cost_2_0_is_less := (slice1winner1_best_cost_2_1 - slice1winner1_best_cost_2_0) < 0;
       slice1winner2_best_cost_3_0_is_less := (slice1winner1_best_cost_3_1 - slice1winner1_best_cost_3_0) < 0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1 when slice1winner2_best_cost_2_0_is_less else
-        slice1winner1_best_cost_2_0;
-      slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1 when slice1winner2_best_cost_3_0_is_less else
-        slice1winner1_best_cost_3_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
-      slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_2_0_is_less else
-        as_number(slice1winner1_best_index_2_0);
-      slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_3_0_is_less else
-        as_number(slice1winner1_best_index_3_0);
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+      end if;
+      if slice1winner2_best_cost_1_0_is_less then
+        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1;
+        slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+        slice1winner2_best_index_1_0 <= as_number(slice1winner1_best_index_1_0);
+      end if;
+      if slice1winner2_best_cost_2_0_is_less then
+        slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1;
+        slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_0;
+        slice1winner2_best_index_2_0 <= as_number(slice1winner1_best_index_2_0);
+      end if;
+      if slice1winner2_best_cost_3_0_is_less then
+        slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1;
+        slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_0;
+        slice1winner2_best_index_3_0 <= as_number(slice1winner1_best_index_3_0);
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
       slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner2_best_cost_1_0) < 0;
       slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner2_best_cost_2_0) < 0;
       slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner2_best_cost_3_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
-      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner2_best_cost_2_0;
-      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner2_best_cost_3_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
-      slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
-      slice1_best_index_2_0 <= slice0_best_index_2_0 when slice1_best_cost_2_0_is_less else
-        (((slice1winner2_best_index_2_0 / 2) + 1) * 2) + (slice1winner2_best_index_2_0 mod 2);
-      slice1_best_index_3_0 <= slice0_best_index_3_0 when slice1_best_cost_3_0_is_less else
-        (((slice1winner2_best_index_3_0 / 2) + 1) * 2) + (slice1winner2_best_index_3_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1_best_index_0_0 <= (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+      end if;
+      if slice1_best_cost_1_0_is_less then
+        slice1_best_cost_1_0 <= slice0_best_cost_1_0;
+        slice1_best_index_1_0 <= slice0_best_index_1_0;
+      else
+        slice1_best_cost_1_0 <= slice1winner2_best_cost_1_0;
+        slice1_best_index_1_0 <= (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
+      end if;
+      if slice1_best_cost_2_0_is_less then
+        slice1_best_cost_2_0 <= slice0_best_cost_2_0;
+        slice1_best_index_2_0 <= slice0_best_index_2_0;
+      else
+        slice1_best_cost_2_0 <= slice1winner2_best_cost_2_0;
+        slice1_best_index_2_0 <= (((slice1winner2_best_index_2_0 / 2) + 1) * 2) + (slice1winner2_best_index_2_0 mod 2);
+      end if;
+      if slice1_best_cost_3_0_is_less then
+        slice1_best_cost_3_0 <= slice0_best_cost_3_0;
+        slice1_best_index_3_0 <= slice0_best_index_3_0;
+      else
+        slice1_best_cost_3_0 <= slice1winner2_best_cost_3_0;
+        slice1_best_index_3_0 <= (((slice1winner2_best_index_3_0 / 2) + 1) * 2) + (slice1winner2_best_index_3_0 mod 2);
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -1260,22 +1574,46 @@ begin
       slice2shift_reference_4 <= slice1shift_reference_4;
       slice2shift_reference_5 <= slice1shift_reference_5;
       -- slice2cost
-      slice2cost_difference_0_0_choice := slice2shift_reference_0 when (slice2cost_signs_ready_words_0 mod 2) = 1 else
-        slice2shift_search_0_0;
-      slice2cost_difference_0_0_choice_2 := slice2shift_search_0_0 when (slice2cost_signs_ready_words_0 mod 2) = 1 else
-        slice2shift_reference_0;
-      slice2cost_difference_0_1_choice := slice2shift_reference_0 when (slice2cost_signs_ready_words_0 / 2) = 1 else
-        slice2shift_search_0_1;
-      slice2cost_difference_0_1_choice_2 := slice2shift_search_0_1 when (slice2cost_signs_ready_words_0 / 2) = 1 else
-        slice2shift_reference_0;
-      slice2cost_difference_1_0_choice := slice2shift_reference_1 when (slice2cost_signs_ready_words_1 mod 2) = 1 else
-        slice2shift_search_1_0;
-      slice2cost_difference_1_0_choice_2 := slice2shift_search_1_0 when (slice2cost_signs_ready_words_1 mod 2) = 1 else
-        slice2shift_reference_1;
-      slice2cost_difference_1_1_choice := slice2shift_reference_1 when (slice2cost_signs_ready_words_1 / 2) = 1 else
-        slice2shift_search_1_1;
-      slice2cost_difference_1_1_choice_2 := slice2shift_search_1_1 when (slice2cost_signs_ready_words_1 / 2) = 1 else
-        slice2shift_reference_1;
+      if (slice2cost_signs_ready_words_0 mod 2) = 1 then
+        slice2cost_difference_0_0_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_0_choice := slice2shift_search_0_0;
+      end if;
+      if (slice2cost_signs_ready_words_0 mod 2) = 1 then
+        slice2cost_difference_0_0_choice_2 := slice2shift_search_0_0;
+      else
+        slice2cost_difference_0_0_choice_2 := slice2shift_reference_0;
+      end if;
+      if (slice2cost_signs_ready_words_0 / 2) = 1 then
+        slice2cost_difference_0_1_choice := slice2shift_reference_0;
+      else
+        slice2cost_difference_0_1_choice := slice2shift_search_0_1;
+      end if;
+      if (slice2cost_signs_ready_words_0 / 2) = 1 then
+        slice2cost_difference_0_1_choice_2 := slice2shift_search_0_1;
+      else
+        slice2cost_difference_0_1_choice_2 := slice2shift_reference_0;
+      end if;
+      if (slice2cost_signs_ready_words_1 mod 2) = 1 then
+        slice2cost_difference_1_0_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_0_choice := slice2shift_search_1_0;
+      end if;
+      if (slice2cost_signs_ready_words_1 mod 2) = 1 then
+        slice2cost_difference_1_0_choice_2 := slice2shift_search_1_0;
+      else
+        slice2cost_difference_1_0_choice_2 := slice2shift_reference_1;
+      end if;
+      if (slice2cost_signs_ready_words_1 / 2) = 1 then
+        slice2cost_difference_1_1_choice := slice2shift_reference_1;
+      else
+        slice2cost_difference_1_1_choice := slice2shift_search_1_1;
+      end if;
+      if (slice2cost_signs_ready_words_1 / 2) = 1 then
+        slice2cost_difference_1_1_choice_2 := slice2shift_search_1_1;
+      else
+        slice2cost_difference_1_1_choice_2 := slice2shift_reference_1;
+      end if;
       slice2cost_difference_3_0_value := ((slice0cost_pair_tag_newest_inside / 2) mod 2) = 1;
       slice2cost_difference_4_0_value := ((slice0cost_pair_tag_newest_inside / 4) mod 2) = 1;
       slice2cost_difference_4_0_difference := slice2shift_search_4_0 - slice2shift_reference_4;
@@ -1297,20 +1635,6 @@ begin
       slice2cost_difference_0_1 <= (slice2cost_difference_0_1_choice - slice2cost_difference_0_1_choice_2) mod 256;
       slice2cost_difference_1_0 <= (slice2cost_difference_1_0_choice - slice2cost_difference_1_0_choice_2) mod 256;
       slice2cost_difference_1_1 <= (slice2cost_difference_1_1_choice - slice2cost_difference_1_1_choice_2) mod 256;
-      slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2 when
-        (slice0cost_pair_tag_newest_inside mod 2) = 1 else 0;
-      slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2 when
-        (slice0cost_pair_tag_newest_inside mod 2) = 1 else 0;
-      slice2cost_difference_3_0 <= slice2shift_search_3_0 - slice2shift_reference_3 when
-        slice2cost_difference_3_0_value else 0;
-      slice2cost_difference_3_1 <= slice2shift_search_3_1 - slice2shift_reference_3 when
-        slice2cost_difference_3_0_value else 0;
-      slice2cost_difference_4_0 <= slice2cost_difference_4_0_difference when slice2cost_difference_4_0_value else 0;
-      slice2cost_difference_4_1 <= slice2cost_difference_4_1_difference when slice2cost_difference_4_0_value else 0;
-      slice2cost_difference_5_0 <= slice2cost_difference_5_0_difference when (slice0cost_pair_tag_newest_inside / 8) =
-        1 else 0;
-      slice2cost_difference_5_1 <= slice2cost_difference_5_1_difference when (slice0cost_pair_tag_newest_inside / 8) =
-        1 else 0;
       slice2cost_newest_negative_2_0 <= slice2cost_difference_4_0_difference < 0;
       slice2cost_newest_negative_2_1 <= slice2cost_difference_4_1_difference < 0;
       slice2cost_newest_negative_3_0 <= slice2cost_difference_5_0_difference < 0;
@@ -1335,20 +1659,55 @@ begin
       slice2cost_single_5_1 <= (folded(slice2cost_difference_5_1) + as_number((slice2cost_difference_5_1 < 0))) mod 256;
       slice2cost_single_negative_3_0 <= slice2cost_pair_1_0_is_less;
       slice2cost_single_negative_3_1 <= slice2cost_pair_1_1_is_less;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_0) +
-        slice2cost_pair_0_0 + slice2cost_single_3_0;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_single_negative_3_1) +
-        slice2cost_pair_0_1 + slice2cost_single_3_1;
-      slice2cost_column_2_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_1_0 +
-        as_number(slice2cost_negative_1_0) + slice2cost_single_2_0;
-      slice2cost_column_2_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_1_1 +
-        as_number(slice2cost_negative_1_1) + slice2cost_single_2_1;
-      slice2cost_column_3_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_1_0 +
-        as_number(slice2cost_negative_1_0) + slice2cost_single_5_0;
-      slice2cost_column_3_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_1_1 +
-        as_number(slice2cost_negative_1_1) + slice2cost_single_5_1;
+      if (slice0cost_pair_tag_newest_inside mod 2) = 1 then
+        slice2cost_difference_2_0 <= slice2shift_search_2_0 - slice2shift_reference_2;
+        slice2cost_difference_2_1 <= slice2shift_search_2_1 - slice2shift_reference_2;
+      else
+        slice2cost_difference_2_0 <= 0;
+        slice2cost_difference_2_1 <= 0;
+      end if;
+      if slice2cost_difference_3_0_value then
+        slice2cost_difference_3_0 <= slice2shift_search_3_0 - slice2shift_reference_3;
+        slice2cost_difference_3_1 <= slice2shift_search_3_1 - slice2shift_reference_3;
+      else
+        slice2cost_difference_3_0 <= 0;
+        slice2cost_difference_3_1 <= 0;
+      end if;
+      if slice2cost_difference_4_0_value then
+        slice2cost_difference_4_0 <= slice2cost_difference_4_0_difference;
+        slice2cost_difference_4_1 <= slice2cost_difference_4_1_difference;
+      else
+        slice2cost_difference_4_0 <= 0;
+        slice2cost_difference_4_1 <= 0;
+      end if;
+      if (slice0cost_pair_tag_newest_inside / 8) = 1 then
+        slice2cost_difference_5_0 <= slice2cost_difference_5_0_difference;
+        slice2cost_difference_5_1 <= slice2cost_difference_5_1_difference;
+      else
+        slice2cost_difference_5_0 <= 0;
+        slice2cost_difference_5_1 <= 0;
+      end if;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+        slice2cost_column_1_0 <= 0;
+        slice2cost_column_1_1 <= 0;
+        slice2cost_column_2_0 <= 0;
+        slice2cost_column_2_1 <= 0;
+        slice2cost_column_3_0 <= 0;
+        slice2cost_column_3_1 <= 0;
+      else
+        slice2cost_column_0_0 <= slice2cost_pair_0_0 + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= slice2cost_pair_0_1 + slice2cost_single_0_1;
+        slice2cost_column_1_0 <= as_number(slice2cost_single_negative_3_0) + slice2cost_pair_0_0 +
+          slice2cost_single_3_0;
+        slice2cost_column_1_1 <= as_number(slice2cost_single_negative_3_1) + slice2cost_pair_0_1 +
+          slice2cost_single_3_1;
+        slice2cost_column_2_0 <= slice2cost_pair_1_0 + as_number(slice2cost_negative_1_0) + slice2cost_single_2_0;
+        slice2cost_column_2_1 <= slice2cost_pair_1_1 + as_number(slice2cost_negative_1_1) + slice2cost_single_2_1;
+        slice2cost_column_3_0 <= slice2cost_pair_1_0 + as_number(slice2cost_negative_1_0) + slice2cost_single_5_0;
+        slice2cost_column_3_1 <= slice2cost_pair_1_1 + as_number(slice2cost_negative_1_1) + slice2cost_single_5_1;
+      end if;
       if slice0cost_tag_valid then
         slice2cost_signs_write_column <= slice2cost_signs_difference_column;
         slice2cost_signs_write_words_0 <= (as_number(slice2cost_newest_negative_2_1) * 2) +
@@ -1388,18 +1747,30 @@ begin
       slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
       slice2winner1_best_cost_2_0_is_less := (slice2window_sum_2_1 - slice2window_sum_2_0) < 0;
       slice2winner1_best_cost_3_0_is_less := (slice2window_sum_3_1 - slice2window_sum_3_0) < 0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
-        slice2window_sum_1_0;
-      slice2winner1_best_cost_2_0 <= slice2window_sum_2_1 when slice2winner1_best_cost_2_0_is_less else
-        slice2window_sum_2_0;
-      slice2winner1_best_cost_3_0 <= slice2window_sum_3_1 when slice2winner1_best_cost_3_0_is_less else
-        slice2window_sum_3_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
       slice2winner1_best_index_2_0 <= slice2winner1_best_cost_2_0_is_less;
       slice2winner1_best_index_3_0 <= slice2winner1_best_cost_3_0_is_less;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
+      if slice2winner1_best_cost_1_0_is_less then
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_1;
+      else
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_0;
+      end if;
+      if slice2winner1_best_cost_2_0_is_less then
+        slice2winner1_best_cost_2_0 <= slice2window_sum_2_1;
+      else
+        slice2winner1_best_cost_2_0 <= slice2window_sum_2_0;
+      end if;
+      if slice2winner1_best_cost_3_0_is_less then
+        slice2winner1_best_cost_3_0 <= slice2window_sum_3_1;
+      else
+        slice2winner1_best_cost_3_0 <= slice2window_sum_3_0;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
@@ -1410,18 +1781,30 @@ begin
       slice2winner2_best_index_2_0 <= slice2winner1_best_index_2_0;
       slice2winner2_best_index_3_0 <= slice2winner1_best_index_3_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0 else
-        as_number(slice2winner2_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner2_best_cost_1_0) < 0 else
-        as_number(slice2winner2_best_index_1_0);
-      slice2_best_index_2_0 <= slice1_best_index_2_0 when (slice1_best_cost_2_0 - slice2winner2_best_cost_2_0) < 0 else
-        as_number(slice2winner2_best_index_2_0);
-      slice2_best_index_3_0 <= slice1_best_index_3_0 when (slice1_best_cost_3_0 - slice2winner2_best_cost_3_0) < 0 else
-        as_number(slice2winner2_best_index_3_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0 then
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      else
+        slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0);
+      end if;
+      if (slice1_best_cost_1_0 - slice2winner2_best_cost_1_0) < 0 then
+        slice2_best_index_1_0 <= slice1_best_index_1_0;
+      else
+        slice2_best_index_1_0 <= as_number(slice2winner2_best_index_1_0);
+      end if;
+      if (slice1_best_cost_2_0 - slice2winner2_best_cost_2_0) < 0 then
+        slice2_best_index_2_0 <= slice1_best_index_2_0;
+      else
+        slice2_best_index_2_0 <= as_number(slice2winner2_best_index_2_0);
+      end if;
+      if (slice1_best_cost_3_0 - slice2winner2_best_cost_3_0) < 0 then
+        slice2_best_index_3_0 <= slice1_best_index_3_0;
+      else
+        slice2_best_index_3_0 <= as_number(slice2winner2_best_index_3_0);
+      end if;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;

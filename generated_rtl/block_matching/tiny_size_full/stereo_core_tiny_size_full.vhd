@@ -249,46 +249,64 @@ architecture rtl of stereo_core_tiny_size_full is
   -- refinement
   signal refinement_divisor_0 : boolean;
   signal refinement_fraction : natural range 0 to 65535;
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(2 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(2 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_image_height <= to_integer(unsigned(image_height));
-  in_image_width <= to_integer(unsigned(image_width));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_image_height <= to_integer(unsigned(to_stdlogicvector(to_bitvector(image_height))));
+  in_image_width <= to_integer(unsigned(to_stdlogicvector(to_bitvector(image_width))));
   disparity <= std_logic_vector(to_unsigned(slice2_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(1, 1));
   disparity_valid <= as_bit(slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 16)
+    generic map (depth => 32, width => 16, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 16);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 16)
+    generic map (depth => 32, width => 16, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 3);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 3);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 8)
+    generic map (depth => 8, width => 8, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_value, raster_place_group_is_equal, raster_place_group_is_equal_2 : boolean;
@@ -345,112 +363,228 @@ begin
       raster_place_group_value := ((size_windows_last_group / 4) mod 2) = 1;
       raster_place_group_is_equal := (raster_place_group / 4) = 3;
       raster_place_group_is_equal_2 := (raster_place_group / 4) = 2;
-      raster_place_group_choice := raster_place_group_is_equal when raster_place_group_value else
-        raster_place_group_is_equal_2;
+      if raster_place_group_value then
+        raster_place_group_choice := raster_place_group_is_equal;
+      else
+        raster_place_group_choice := raster_place_group_is_equal_2;
+      end if;
       raster_place_group_is_equal_3 := (raster_place_group / 4) = 1;
       raster_place_group_is_equal_4 := (raster_place_group / 4) = 0;
-      raster_place_group_choice_2 := raster_place_group_is_equal_3 when raster_place_group_value else
-        raster_place_group_is_equal_4;
-      raster_place_group_choice_3 := raster_place_group_choice when (size_windows_last_group / 8) = 1 else
-        raster_place_group_choice_2;
+      if raster_place_group_value then
+        raster_place_group_choice_2 := raster_place_group_is_equal_3;
+      else
+        raster_place_group_choice_2 := raster_place_group_is_equal_4;
+      end if;
+      if (size_windows_last_group / 8) = 1 then
+        raster_place_group_choice_3 := raster_place_group_choice;
+      else
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      end if;
       raster_place_group_is_equal_5 := (raster_place_group mod 4) = 3;
       raster_place_group_is_equal_6 := (raster_place_group mod 4) = 2;
-      raster_place_group_choice_4 := raster_place_group_is_equal_5 when (size_windows_last_group mod 2) = 1 else
-        raster_place_group_is_equal_6;
+      if (size_windows_last_group mod 2) = 1 then
+        raster_place_group_choice_4 := raster_place_group_is_equal_5;
+      else
+        raster_place_group_choice_4 := raster_place_group_is_equal_6;
+      end if;
       raster_place_group_is_equal_7 := (raster_place_group mod 4) = 1;
       raster_place_group_is_equal_8 := (raster_place_group mod 4) = 0;
-      raster_place_group_choice_5 := raster_place_group_is_equal_7 when (size_windows_last_group mod 2) = 1 else
-        raster_place_group_is_equal_8;
-      raster_place_group_choice_6 := raster_place_group_choice_4 when ((size_windows_last_group / 2) mod 2) = 1 else
-        raster_place_group_choice_5;
+      if (size_windows_last_group mod 2) = 1 then
+        raster_place_group_choice_5 := raster_place_group_is_equal_7;
+      else
+        raster_place_group_choice_5 := raster_place_group_is_equal_8;
+      end if;
+      if ((size_windows_last_group / 2) mod 2) = 1 then
+        raster_place_group_choice_6 := raster_place_group_choice_4;
+      else
+        raster_place_group_choice_6 := raster_place_group_choice_5;
+      end if;
       raster_place_group_value_2 := ((size_windows_last_column / 8) mod 2) = 1;
-      raster_place_group_choice_7 := (raster_place_column / 8) = 3 when raster_place_group_value_2 else
-        (raster_place_column / 8) = 2;
+      if raster_place_group_value_2 then
+        raster_place_group_choice_7 := (raster_place_column / 8) = 3;
+      else
+        raster_place_group_choice_7 := (raster_place_column / 8) = 2;
+      end if;
       raster_place_group_is_equal_9 := (raster_place_column / 8) = 0;
-      raster_place_group_choice_8 := (raster_place_column / 8) = 1 when raster_place_group_value_2 else
-        raster_place_group_is_equal_9;
-      raster_place_group_choice_9 := raster_place_group_choice_7 when (size_windows_last_column / 16) = 1 else
-        raster_place_group_choice_8;
-      raster_place_group_choice_10 := (raster_place_column mod 4) = 3 when (size_windows_last_column mod 2) = 1 else
-        (raster_place_column mod 4) = 2;
-      raster_place_group_choice_11 := (raster_place_column mod 4) = 1 when (size_windows_last_column mod 2) = 1 else
-        (raster_place_column mod 4) = 0;
-      raster_place_group_choice_12 := raster_place_group_choice_10 when ((size_windows_last_column / 2) mod 2) = 1 else
-        raster_place_group_choice_11;
+      if raster_place_group_value_2 then
+        raster_place_group_choice_8 := (raster_place_column / 8) = 1;
+      else
+        raster_place_group_choice_8 := raster_place_group_is_equal_9;
+      end if;
+      if (size_windows_last_column / 16) = 1 then
+        raster_place_group_choice_9 := raster_place_group_choice_7;
+      else
+        raster_place_group_choice_9 := raster_place_group_choice_8;
+      end if;
+      if (size_windows_last_column mod 2) = 1 then
+        raster_place_group_choice_10 := (raster_place_column mod 4) = 3;
+      else
+        raster_place_group_choice_10 := (raster_place_column mod 4) = 2;
+      end if;
+      if (size_windows_last_column mod 2) = 1 then
+        raster_place_group_choice_11 := (raster_place_column mod 4) = 1;
+      else
+        raster_place_group_choice_11 := (raster_place_column mod 4) = 0;
+      end if;
+      if ((size_windows_last_column / 2) mod 2) = 1 then
+        raster_place_group_choice_12 := raster_place_group_choice_10;
+      else
+        raster_place_group_choice_12 := raster_place_group_choice_11;
+      end if;
       raster_place_group_value_3 := ((size_windows_last_column / 4) mod 2) = 1;
       raster_place_group_value_4 := ((raster_place_column / 4) mod 2) = 1;
       raster_place_group_differs := raster_place_group_value_3 /= (not raster_place_group_value_4);
       raster_place_group_all := raster_place_group_choice_3 and raster_place_group_choice_6 and
         raster_place_group_choice_9 and raster_place_group_choice_12 and raster_place_group_differs;
-      raster_place_group_choice_13 := size_windows_groups when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice_13 := size_windows_groups;
+      else
+        raster_place_group_choice_13 := 0;
+      end if;
       raster_place_group_value_5 := ((raster_place_group / 2) mod 2) = 1;
-      raster_place_group_choice_14 := (not ((raster_place_group mod 2) = 1)) or (not raster_place_group_value_5) when
-        (size_windows_idle mod 2) = 1 else not raster_place_group_value_5;
-      raster_place_group_choice_15 := raster_place_group_choice_14 when ((size_windows_idle / 2) mod 2) = 1 else
-        ((size_windows_idle mod 2) = 1) and raster_place_group_is_equal_8;
+      if (size_windows_idle mod 2) = 1 then
+        raster_place_group_choice_14 := (not ((raster_place_group mod 2) = 1)) or (not raster_place_group_value_5);
+      else
+        raster_place_group_choice_14 := not raster_place_group_value_5;
+      end if;
+      if ((size_windows_idle / 2) mod 2) = 1 then
+        raster_place_group_choice_15 := raster_place_group_choice_14;
+      else
+        raster_place_group_choice_15 := ((size_windows_idle mod 2) = 1) and raster_place_group_is_equal_8;
+      end if;
       raster_place_group_value_6 := ((raster_place_group / 4) mod 2) = 1;
-      raster_place_group_choice_16 := (not (((size_windows_idle / 4) mod 2) = 1)) and raster_place_group_value_6 when
-        raster_place_group_choice_15 else (not (((size_windows_idle / 4) mod 2) = 1)) or raster_place_group_value_6;
-      raster_place_group_choice_17 := (not ((size_windows_idle / 8) = 1)) or ((raster_place_group / 8) = 1) when
-        raster_place_group_choice_16 else (not ((size_windows_idle / 8) = 1)) and ((raster_place_group / 8) = 1);
+      if raster_place_group_choice_15 then
+        raster_place_group_choice_16 := (not (((size_windows_idle / 4) mod 2) = 1)) and raster_place_group_value_6;
+      else
+        raster_place_group_choice_16 := (not (((size_windows_idle / 4) mod 2) = 1)) or raster_place_group_value_6;
+      end if;
+      if raster_place_group_choice_16 then
+        raster_place_group_choice_17 := (not ((size_windows_idle / 8) = 1)) or ((raster_place_group / 8) = 1);
+      else
+        raster_place_group_choice_17 := (not ((size_windows_idle / 8) = 1)) and ((raster_place_group / 8) = 1);
+      end if;
       raster_place_group_value_7 := ((size_windows_groups / 4) mod 2) = 1;
-      raster_place_group_choice_18 := raster_place_group_is_equal when raster_place_group_value_7 else
-        raster_place_group_is_equal_2;
-      raster_place_group_choice_19 := raster_place_group_is_equal_3 when raster_place_group_value_7 else
-        raster_place_group_is_equal_4;
-      raster_place_group_choice_20 := raster_place_group_choice_18 when (size_windows_groups / 8) = 1 else
-        raster_place_group_choice_19;
-      raster_place_group_choice_21 := raster_place_group_is_equal_5 when (size_windows_groups mod 2) = 1 else
-        raster_place_group_is_equal_6;
-      raster_place_group_choice_22 := raster_place_group_is_equal_7 when (size_windows_groups mod 2) = 1 else
-        raster_place_group_is_equal_8;
-      raster_place_group_choice_23 := raster_place_group_choice_21 when ((size_windows_groups / 2) mod 2) = 1 else
-        raster_place_group_choice_22;
-      raster_place_group_choice_24 := 1 when raster_place_group_choice_20 and raster_place_group_choice_23 and
-        raster_place_next_frame else (raster_place_group + 1) mod 16;
-      raster_place_group_choice_25 := raster_place_group_choice_24 when (not raster_place_group_choice_17) and
-        raster_place_group_choice_9 and raster_place_group_choice_12 and raster_place_group_differs and in_valid else
-        raster_place_group;
+      if raster_place_group_value_7 then
+        raster_place_group_choice_18 := raster_place_group_is_equal;
+      else
+        raster_place_group_choice_18 := raster_place_group_is_equal_2;
+      end if;
+      if raster_place_group_value_7 then
+        raster_place_group_choice_19 := raster_place_group_is_equal_3;
+      else
+        raster_place_group_choice_19 := raster_place_group_is_equal_4;
+      end if;
+      if (size_windows_groups / 8) = 1 then
+        raster_place_group_choice_20 := raster_place_group_choice_18;
+      else
+        raster_place_group_choice_20 := raster_place_group_choice_19;
+      end if;
+      if (size_windows_groups mod 2) = 1 then
+        raster_place_group_choice_21 := raster_place_group_is_equal_5;
+      else
+        raster_place_group_choice_21 := raster_place_group_is_equal_6;
+      end if;
+      if (size_windows_groups mod 2) = 1 then
+        raster_place_group_choice_22 := raster_place_group_is_equal_7;
+      else
+        raster_place_group_choice_22 := raster_place_group_is_equal_8;
+      end if;
+      if ((size_windows_groups / 2) mod 2) = 1 then
+        raster_place_group_choice_23 := raster_place_group_choice_21;
+      else
+        raster_place_group_choice_23 := raster_place_group_choice_22;
+      end if;
+      if raster_place_group_choice_20 and raster_place_group_choice_23 and raster_place_next_frame then
+        raster_place_group_choice_24 := 1;
+      else
+        raster_place_group_choice_24 := (raster_place_group + 1) mod 16;
+      end if;
+      if (not raster_place_group_choice_17) and raster_place_group_choice_9 and raster_place_group_choice_12 and
+        raster_place_group_differs and in_valid then
+        raster_place_group_choice_25 := raster_place_group_choice_24;
+      else
+        raster_place_group_choice_25 := raster_place_group;
+      end if;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice_13 when in_start_of_frame and in_valid else
-        raster_place_group_choice_25;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= raster_place_group_choice_13;
+      else
+        raster_place_group <= raster_place_group_choice_25;
+      end if;
       raster_place_column_all := raster_place_group_choice_9 and raster_place_group_choice_12 and
         raster_place_group_differs;
-      raster_place_next_frame_choice := raster_place_next_frame when raster_place_group_choice_17 else (not
-        raster_place_column_all) and raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_choice_20 and
-        raster_place_group_choice_23 else raster_place_next_frame;
+      if raster_place_group_choice_17 then
+        raster_place_next_frame_choice := raster_place_next_frame;
+      else
+        raster_place_next_frame_choice := (not raster_place_column_all) and raster_place_next_frame;
+      end if;
+      if raster_place_group_choice_20 and raster_place_group_choice_23 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_column_all or in_start_of_frame else (raster_place_column + 1) mod
-          32;
-        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_place_next_frame_choice_2 else raster_place_group_choice_3 and raster_place_group_choice_6 and
-          raster_place_group_choice_9 and raster_place_group_choice_12 and raster_place_group_differs and
-          in_start_of_frame;
+        if raster_place_column_all or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
+        if raster_place_next_frame_choice_2 then
+          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
+        else
+          raster_place_next_frame <= raster_place_group_choice_3 and raster_place_group_choice_6 and
+            raster_place_group_choice_9 and raster_place_group_choice_12 and raster_place_group_differs and
+            in_start_of_frame;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 7 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 8;
+        end if;
       end if;
-      delay_row_inside_0_choice := (not ((raster_place_column / 16) = 1)) and (not (((raster_place_column / 8) mod 2) =
-        1)) and (not ((raster_place_column mod 2) = 1)) when ((raster_place_column / 2) mod 4) = 3 else
-        raster_place_group_is_equal_9;
+      if ((raster_place_column / 2) mod 4) = 3 then
+        delay_row_inside_0_choice := (not ((raster_place_column / 16) = 1)) and (not (((raster_place_column / 8) mod 2)
+          = 1)) and (not ((raster_place_column mod 2) = 1));
+      else
+        delay_row_inside_0_choice := raster_place_group_is_equal_9;
+      end if;
       delay_row_inside_0_value := ((delay_column / 8) mod 2) = 1;
-      delay_row_inside_0_choice_2 := (size_windows_last_column / 8) = 3 when delay_row_inside_0_value else
-        (size_windows_last_column / 8) = 2;
-      delay_row_inside_0_choice_3 := (size_windows_last_column / 8) = 1 when delay_row_inside_0_value else
-        (size_windows_last_column / 8) = 0;
-      delay_row_inside_0_choice_4 := delay_row_inside_0_choice_2 when (delay_column / 16) = 1 else
-        delay_row_inside_0_choice_3;
-      delay_row_inside_0_choice_5 := (size_windows_last_column mod 4) = 3 when (delay_column mod 2) = 1 else
-        (size_windows_last_column mod 4) = 2;
-      delay_row_inside_0_choice_6 := (size_windows_last_column mod 4) = 1 when (delay_column mod 2) = 1 else
-        (size_windows_last_column mod 4) = 0;
-      delay_row_inside_0_choice_7 := delay_row_inside_0_choice_5 when ((delay_column / 2) mod 2) = 1 else
-        delay_row_inside_0_choice_6;
+      if delay_row_inside_0_value then
+        delay_row_inside_0_choice_2 := (size_windows_last_column / 8) = 3;
+      else
+        delay_row_inside_0_choice_2 := (size_windows_last_column / 8) = 2;
+      end if;
+      if delay_row_inside_0_value then
+        delay_row_inside_0_choice_3 := (size_windows_last_column / 8) = 1;
+      else
+        delay_row_inside_0_choice_3 := (size_windows_last_column / 8) = 0;
+      end if;
+      if (delay_column / 16) = 1 then
+        delay_row_inside_0_choice_4 := delay_row_inside_0_choice_2;
+      else
+        delay_row_inside_0_choice_4 := delay_row_inside_0_choice_3;
+      end if;
+      if (delay_column mod 2) = 1 then
+        delay_row_inside_0_choice_5 := (size_windows_last_column mod 4) = 3;
+      else
+        delay_row_inside_0_choice_5 := (size_windows_last_column mod 4) = 2;
+      end if;
+      if (delay_column mod 2) = 1 then
+        delay_row_inside_0_choice_6 := (size_windows_last_column mod 4) = 1;
+      else
+        delay_row_inside_0_choice_6 := (size_windows_last_column mod 4) = 0;
+      end if;
+      if ((delay_column / 2) mod 2) = 1 then
+        delay_row_inside_0_choice_7 := delay_row_inside_0_choice_5;
+      else
+        delay_row_inside_0_choice_7 := delay_row_inside_0_choice_6;
+      end if;
       delay_row_inside_0_all := (not ((not (delay_row_inside_0_choice_4 and delay_row_inside_0_choice_7 and
         ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
         (raster_place_column = 0))) and delay_split_inside_before_0;
@@ -461,8 +595,11 @@ begin
         ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
         (raster_place_column = 0))) and delay_split_output_before;
       delay_row_inside_1_is_less := delay_row_inside_0_difference < 1;
-      delay_row_inside_1_choice := delay_row_inside_1_is_less and ((raster_place_group mod 2) = 1) when
-        (raster_place_group / 2) = 0 else delay_row_inside_1_is_less;
+      if (raster_place_group / 2) = 0 then
+        delay_row_inside_1_choice := delay_row_inside_1_is_less and ((raster_place_group mod 2) = 1);
+      else
+        delay_row_inside_1_choice := delay_row_inside_1_is_less;
+      end if;
       delay_row_inside_2_all := (not ((not (delay_row_inside_0_choice_4 and delay_row_inside_0_choice_7 and
         ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
         (raster_place_column = 0))) and delay_split_inside_before_2;
@@ -477,32 +614,47 @@ begin
       delay_tag_output_column_all_3 := (not raster_place_group_choice_17) and delay_tag_output_column_any;
       delay_tag_output_column_all_4 := (not raster_place_group_choice_17) and delay_tag_output_column_any and (not
         delay_row_inside_0_choice);
-      delay_tag_output_column_choice := delay_tag_output_column_all_3 or delay_row_inside_0_choice when
-        delay_tag_output_column_all_2 else delay_tag_output_column_all_4;
-      delay_tag_output_column_choice_2 := delay_tag_output_column_choice when delay_tag_output_column_all else
-        delay_tag_output_column_all_4;
-      delay_tag_output_column_choice_3 := (not ((raster_place_column / 16) = 1)) and (not (((raster_place_column / 8)
-        mod 2) = 1)) and (not (((raster_place_column / 2) mod 2) = 1)) when raster_place_group_value_4 else
-        raster_place_group_is_equal_9;
+      if delay_tag_output_column_all_2 then
+        delay_tag_output_column_choice := delay_tag_output_column_all_3 or delay_row_inside_0_choice;
+      else
+        delay_tag_output_column_choice := delay_tag_output_column_all_4;
+      end if;
+      if delay_tag_output_column_all then
+        delay_tag_output_column_choice_2 := delay_tag_output_column_choice;
+      else
+        delay_tag_output_column_choice_2 := delay_tag_output_column_all_4;
+      end if;
+      if raster_place_group_value_4 then
+        delay_tag_output_column_choice_3 := (not ((raster_place_column / 16) = 1)) and (not (((raster_place_column / 8)
+          mod 2) = 1)) and (not (((raster_place_column / 2) mod 2) = 1));
+      else
+        delay_tag_output_column_choice_3 := raster_place_group_is_equal_9;
+      end if;
       delay_tag_output_column_is_not_less := (raster_place_column - refinement_fraction) >= 0;
-      delay_tag_output_column_choice_4 := refinement_divisor_0 or delay_tag_output_column_is_not_less when
-        delay_tag_output_column_choice_3 else refinement_divisor_0 and delay_tag_output_column_is_not_less;
+      if delay_tag_output_column_choice_3 then
+        delay_tag_output_column_choice_4 := refinement_divisor_0 or delay_tag_output_column_is_not_less;
+      else
+        delay_tag_output_column_choice_4 := refinement_divisor_0 and delay_tag_output_column_is_not_less;
+      end if;
       delay_tag_first_column_is_equal := raster_place_column = refinement_fraction;
-      delay_tag_first_column_choice := delay_tag_first_column_is_equal when delay_tag_output_column_all else (not
-        delay_row_inside_0_choice) and delay_tag_first_column_is_equal;
+      if delay_tag_output_column_all then
+        delay_tag_first_column_choice := delay_tag_first_column_is_equal;
+      else
+        delay_tag_first_column_choice := (not delay_row_inside_0_choice) and delay_tag_first_column_is_equal;
+      end if;
       delay_tag_start_of_frame_all := (not ((not (delay_row_inside_0_choice_4 and delay_row_inside_0_choice_7 and
         ((((delay_column / 4) mod 2) = 1) /= (not raster_place_group_value_3)))) and raster_features_valid and
         (raster_place_column = 0))) and delay_split_start_before;
       delay_tag_start_of_frame_is_equal := raster_place_group = 1;
-      delay_tag_start_of_frame_choice := delay_tag_start_of_frame_all when delay_row_inside_0_choice else
-        delay_tag_start_of_frame_is_equal;
+      if delay_row_inside_0_choice then
+        delay_tag_start_of_frame_choice := delay_tag_start_of_frame_all;
+      else
+        delay_tag_start_of_frame_choice := delay_tag_start_of_frame_is_equal;
+      end if;
       delay_split_inside_before_0_all := raster_place_group_choice_9 and raster_place_group_choice_12 and
         raster_place_group_differs and raster_features_valid;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= delay_row_inside_0_all when delay_row_inside_0_choice else delay_row_inside_0_all_2;
-      delay_row_inside_1 <= delay_row_inside_1_all when delay_row_inside_0_choice else delay_row_inside_1_choice;
-      delay_row_inside_2 <= delay_row_inside_2_all when delay_row_inside_0_choice else delay_row_inside_2_is_less;
       delay_tag_valid <= raster_features_valid;
       delay_tag_output_column <= delay_tag_output_column_choice_2 and delay_tag_output_column_choice_4;
       delay_tag_first_column <= delay_tag_first_column_choice;
@@ -513,22 +665,46 @@ begin
       delay_split_search_inside_0 <= delay_row_inside_0_all_2;
       delay_split_search_inside_1 <= delay_row_inside_1_choice;
       delay_split_search_inside_2 <= delay_row_inside_2_is_less;
-      delay_split_inside_before_0 <= delay_row_inside_0_all_2 when delay_split_inside_before_0_all else
-        delay_row_inside_0_all;
-      delay_split_inside_before_1 <= delay_tag_output_column_all_3 or (not delay_split_inside_before_0_all) when
-        delay_tag_output_column_all_2 else (not raster_place_group_choice_17) and delay_tag_output_column_any and
-        raster_place_group_choice_9 and raster_place_group_choice_12 and raster_place_group_differs and
-        raster_features_valid;
-      delay_split_inside_before_2 <= (not delay_split_inside_before_0_all) or delay_row_inside_2_is_less when
-        delay_row_inside_2_all else raster_place_group_choice_9 and raster_place_group_choice_12 and
-        raster_place_group_differs and raster_features_valid and delay_row_inside_2_is_less;
-      delay_split_output_before <= (not delay_split_inside_before_0_all) or delay_row_inside_1_choice when
-        delay_row_inside_1_all else raster_place_group_choice_9 and raster_place_group_choice_12 and
-        raster_place_group_differs and raster_features_valid and delay_row_inside_1_choice;
-      delay_split_start_before <= delay_tag_start_of_frame_is_equal or (not delay_split_inside_before_0_all) when
-        delay_tag_start_of_frame_all else delay_tag_start_of_frame_is_equal and raster_place_group_choice_9 and
-        raster_place_group_choice_12 and raster_place_group_differs and raster_features_valid;
       delay_split_whole_before <= delay_tag_output_column_all or delay_split_inside_before_0_all;
+      if delay_row_inside_0_choice then
+        delay_row_inside_0 <= delay_row_inside_0_all;
+        delay_row_inside_1 <= delay_row_inside_1_all;
+        delay_row_inside_2 <= delay_row_inside_2_all;
+      else
+        delay_row_inside_0 <= delay_row_inside_0_all_2;
+        delay_row_inside_1 <= delay_row_inside_1_choice;
+        delay_row_inside_2 <= delay_row_inside_2_is_less;
+      end if;
+      if delay_split_inside_before_0_all then
+        delay_split_inside_before_0 <= delay_row_inside_0_all_2;
+      else
+        delay_split_inside_before_0 <= delay_row_inside_0_all;
+      end if;
+      if delay_tag_output_column_all_2 then
+        delay_split_inside_before_1 <= delay_tag_output_column_all_3 or (not delay_split_inside_before_0_all);
+      else
+        delay_split_inside_before_1 <= (not raster_place_group_choice_17) and delay_tag_output_column_any and
+          raster_place_group_choice_9 and raster_place_group_choice_12 and raster_place_group_differs and
+          raster_features_valid;
+      end if;
+      if delay_row_inside_2_all then
+        delay_split_inside_before_2 <= (not delay_split_inside_before_0_all) or delay_row_inside_2_is_less;
+      else
+        delay_split_inside_before_2 <= raster_place_group_choice_9 and raster_place_group_choice_12 and
+          raster_place_group_differs and raster_features_valid and delay_row_inside_2_is_less;
+      end if;
+      if delay_row_inside_1_all then
+        delay_split_output_before <= (not delay_split_inside_before_0_all) or delay_row_inside_1_choice;
+      else
+        delay_split_output_before <= raster_place_group_choice_9 and raster_place_group_choice_12 and
+          raster_place_group_differs and raster_features_valid and delay_row_inside_1_choice;
+      end if;
+      if delay_tag_start_of_frame_all then
+        delay_split_start_before <= delay_tag_start_of_frame_is_equal or (not delay_split_inside_before_0_all);
+      else
+        delay_split_start_before <= delay_tag_start_of_frame_is_equal and raster_place_group_choice_9 and
+          raster_place_group_choice_12 and raster_place_group_differs and raster_features_valid;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -560,17 +736,41 @@ begin
       rows_ready_search_inside_0 <= rows_read_search_inside_0;
       rows_ready_search_inside_1 <= rows_read_search_inside_1;
       rows_ready_search_inside_2 <= rows_read_search_inside_2;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_search_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_0 / 256 when rows_ready_search_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_search_inside_2 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_first_column <= rows_ready_tag_first_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_search_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 256;
+      else
+        rows_search_0 <= 0;
+      end if;
+      if rows_ready_search_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_0 / 256;
+      else
+        rows_search_1 <= 0;
+      end if;
+      if rows_ready_search_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_newest_0;
+      else
+        rows_search_2 <= 0;
+      end if;
+      if rows_ready_inside_0 then
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256;
+      else
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_reference_1 <= rows_reference_rows_ready_words_0 / 256;
+      else
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_reference_2 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_newest_0 * 256) + (rows_search_rows_ready_words_0 /
           256);
@@ -665,57 +865,99 @@ begin
         slice0window_tag_first_column <= slice0window_centre_first_column_0;
       end if;
       -- slice0mask
-      slice0mask_inside_0_choice := slice0mask_inside_1 when slice0cost_tag_valid else slice0mask_inside_0;
-      slice0mask_inside_1_choice := slice0mask_inside_2 when slice0cost_tag_valid else slice0mask_inside_1;
-      slice0mask_inside_2_choice := not (((slice0mask_end_value / 2) mod 2) = 1) when (slice0mask_column mod 2) = 1
-        else (slice0mask_end_value mod 4) = 0;
-      slice0mask_inside_2_choice_2 := ((slice0mask_column mod 2) = 1) or (not (((slice0mask_end_value / 2) mod 2) = 1))
-        or (not ((slice0mask_end_value mod 2) = 1)) when ((slice0mask_column / 2) mod 2) = 1 else
-        slice0mask_inside_2_choice;
+      if slice0cost_tag_valid then
+        slice0mask_inside_0_choice := slice0mask_inside_1;
+      else
+        slice0mask_inside_0_choice := slice0mask_inside_0;
+      end if;
+      if slice0cost_tag_valid then
+        slice0mask_inside_1_choice := slice0mask_inside_2;
+      else
+        slice0mask_inside_1_choice := slice0mask_inside_1;
+      end if;
+      if (slice0mask_column mod 2) = 1 then
+        slice0mask_inside_2_choice := not (((slice0mask_end_value / 2) mod 2) = 1);
+      else
+        slice0mask_inside_2_choice := (slice0mask_end_value mod 4) = 0;
+      end if;
+      if ((slice0mask_column / 2) mod 2) = 1 then
+        slice0mask_inside_2_choice_2 := ((slice0mask_column mod 2) = 1) or (not (((slice0mask_end_value / 2) mod 2) =
+          1)) or (not ((slice0mask_end_value mod 2) = 1));
+      else
+        slice0mask_inside_2_choice_2 := slice0mask_inside_2_choice;
+      end if;
       slice0mask_inside_2_value := ((slice0mask_end_value / 4) mod 2) = 1;
-      slice0mask_inside_2_choice_3 := (not (((slice0mask_column / 4) mod 2) = 1)) and slice0mask_inside_2_value when
-        slice0mask_inside_2_choice_2 else (not (((slice0mask_column / 4) mod 2) = 1)) or slice0mask_inside_2_value;
+      if slice0mask_inside_2_choice_2 then
+        slice0mask_inside_2_choice_3 := (not (((slice0mask_column / 4) mod 2) = 1)) and slice0mask_inside_2_value;
+      else
+        slice0mask_inside_2_choice_3 := (not (((slice0mask_column / 4) mod 2) = 1)) or slice0mask_inside_2_value;
+      end if;
       slice0mask_inside_2_value_2 := ((slice0mask_end_value / 8) mod 2) = 1;
-      slice0mask_inside_2_choice_4 := (not (((slice0mask_column / 8) mod 2) = 1)) or slice0mask_inside_2_value_2 when
-        slice0mask_inside_2_choice_3 else (not (((slice0mask_column / 8) mod 2) = 1)) and slice0mask_inside_2_value_2;
-      slice0mask_inside_2_choice_5 := not slice1cost_tag_first_column when (slice0mask_column / 16) = 1 else (not
-        ((slice0mask_end_value / 16) = 1)) and (not slice1cost_tag_first_column);
-      slice0mask_inside_2_choice_6 := ((slice0mask_column / 16) = 1) and (not ((slice0mask_end_value / 16) = 1)) and
-        (not slice1cost_tag_first_column) when slice0mask_inside_2_choice_4 else slice0mask_inside_2_choice_5;
-      slice0mask_inside_0 <= slice0cost_tag_valid or slice0mask_inside_0 when slice1cost_tag_first_column else
-        slice0mask_inside_0_choice;
-      slice0mask_inside_1 <= slice0cost_tag_valid or slice0mask_inside_1 when slice1cost_tag_first_column else
-        slice0mask_inside_1_choice;
-      slice0mask_inside_2 <= (not slice0cost_tag_valid) and slice0mask_inside_2 when slice0mask_inside_2_choice_6 else
-        slice0cost_tag_valid or slice0mask_inside_2;
+      if slice0mask_inside_2_choice_3 then
+        slice0mask_inside_2_choice_4 := (not (((slice0mask_column / 8) mod 2) = 1)) or slice0mask_inside_2_value_2;
+      else
+        slice0mask_inside_2_choice_4 := (not (((slice0mask_column / 8) mod 2) = 1)) and slice0mask_inside_2_value_2;
+      end if;
+      if (slice0mask_column / 16) = 1 then
+        slice0mask_inside_2_choice_5 := not slice1cost_tag_first_column;
+      else
+        slice0mask_inside_2_choice_5 := (not ((slice0mask_end_value / 16) = 1)) and (not slice1cost_tag_first_column);
+      end if;
+      if slice0mask_inside_2_choice_4 then
+        slice0mask_inside_2_choice_6 := ((slice0mask_column / 16) = 1) and (not ((slice0mask_end_value / 16) = 1)) and
+          (not slice1cost_tag_first_column);
+      else
+        slice0mask_inside_2_choice_6 := slice0mask_inside_2_choice_5;
+      end if;
       slice0mask_left_out <= slice0mask_inside_0;
       slice0mask_end_value <= (size_windows_last_column + 23) mod 32;
+      if slice1cost_tag_first_column then
+        slice0mask_inside_0 <= slice0cost_tag_valid or slice0mask_inside_0;
+        slice0mask_inside_1 <= slice0cost_tag_valid or slice0mask_inside_1;
+      else
+        slice0mask_inside_0 <= slice0mask_inside_0_choice;
+        slice0mask_inside_1 <= slice0mask_inside_1_choice;
+      end if;
+      if slice0mask_inside_2_choice_6 then
+        slice0mask_inside_2 <= (not slice0cost_tag_valid) and slice0mask_inside_2;
+      else
+        slice0mask_inside_2 <= slice0cost_tag_valid or slice0mask_inside_2;
+      end if;
       if slice0cost_tag_valid then
-        slice0mask_column <= 0 when slice1cost_tag_first_column else (slice0mask_column + 1) mod 32;
+        if slice1cost_tag_first_column then
+          slice0mask_column <= 0;
+        else
+          slice0mask_column <= (slice0mask_column + 1) mod 32;
+        end if;
       end if;
       -- slice0winner1
-      slice0winner1_of_pair_0_0_choice := 0 when slice0mask_inside_1 else 4095;
+      if slice0mask_inside_1 then
+        slice0winner1_of_pair_0_0_choice := 0;
+      else
+        slice0winner1_of_pair_0_0_choice := 4095;
+      end if;
       slice0winner1_of_pair_0_0_any := to_integer(((to_unsigned(slice0window_sum_0_1, 12)) or
         (to_unsigned(slice0winner1_of_pair_0_0_choice, 12))));
-      slice0winner1_of_pair_0_0_choice_2 := 0 when slice0mask_inside_0 else 4095;
+      if slice0mask_inside_0 then
+        slice0winner1_of_pair_0_0_choice_2 := 0;
+      else
+        slice0winner1_of_pair_0_0_choice_2 := 4095;
+      end if;
       slice0winner1_of_pair_0_0_any_2 := to_integer(((to_unsigned(slice0window_sum_0_0, 12)) or
         (to_unsigned(slice0winner1_of_pair_0_0_choice_2, 12))));
       slice0winner1_of_pair_0_0_is_less := (slice0winner1_of_pair_0_0_any - slice0winner1_of_pair_0_0_any_2) < 0;
-      slice0winner1_of_pair_0_2_choice := 0 when slice0mask_inside_2 else 4095;
+      if slice0mask_inside_2 then
+        slice0winner1_of_pair_0_2_choice := 0;
+      else
+        slice0winner1_of_pair_0_2_choice := 4095;
+      end if;
       slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
         to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0winner1_of_pair_0_0_any_2;
-      slice0winner1_of_pair_0_1 <= slice0winner1_of_pair_0_0_any when slice0winner1_of_pair_0_0_is_less else 0;
       slice0winner1_of_pair_0_2 <= to_integer(((to_unsigned(slice0window_sum_0_2, 12)) or
         (to_unsigned(slice0winner1_of_pair_0_2_choice, 12))));
       slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
       slice0winner1_pair_index_0_1 <= 2;
       slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
       slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
       slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
       slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
@@ -727,6 +969,24 @@ begin
       slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_of_pair_0_0_is_less then
+        slice0winner1_of_pair_0_0 <= 0;
+        slice0winner1_of_pair_0_1 <= slice0winner1_of_pair_0_0_any;
+      else
+        slice0winner1_of_pair_0_0 <= slice0winner1_of_pair_0_0_any_2;
+        slice0winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice0winner1_of_four_0_0_is_less then
+        slice0winner1_of_four_0_0 <= 0;
+        slice0winner1_of_four_0_1 <= 0;
+        slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2;
+        slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice0winner1_of_four_0_0 <= slice0winner1_of_pair_0_0;
+        slice0winner1_of_four_0_1 <= slice0winner1_of_pair_0_1;
+        slice0winner1_of_four_0_2 <= 0;
+        slice0winner1_four_index_0_0 <= as_number(slice0winner1_pair_index_0_0);
+      end if;
       if slice0winner1_pair_tag_valid then
         slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
         slice0winner1_pair_tag_first_column <= slice1window_centre_first_column_0;
@@ -800,49 +1060,94 @@ begin
       slice1window_sum_0_1 <= slice1cost_column_0_1 + slice1window_partial_0_1_1;
       slice1window_sum_0_2 <= slice1cost_column_0_2 + slice1window_partial_0_1_2;
       -- slice1mask
-      slice1mask_inside_0_choice := slice1mask_inside_1 when slice0window_tag_valid else slice1mask_inside_0;
-      slice1mask_inside_1_choice := slice1mask_inside_2 when slice0window_tag_valid else slice1mask_inside_1;
-      slice1mask_inside_2_choice := slice0window_tag_first_column when slice0window_tag_valid else slice1mask_inside_2;
-      slice1mask_inside_0 <= slice0window_tag_valid or slice1mask_inside_0 when slice0window_tag_first_column else
-        slice1mask_inside_0_choice;
-      slice1mask_inside_1 <= slice0window_tag_valid or slice1mask_inside_1 when slice0window_tag_first_column else
-        slice1mask_inside_1_choice;
-      slice1mask_inside_2 <= slice0window_tag_valid or slice1mask_inside_2 when slice0mask_left_out else
-        slice1mask_inside_2_choice;
+      if slice0window_tag_valid then
+        slice1mask_inside_0_choice := slice1mask_inside_1;
+      else
+        slice1mask_inside_0_choice := slice1mask_inside_0;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_1_choice := slice1mask_inside_2;
+      else
+        slice1mask_inside_1_choice := slice1mask_inside_1;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_2_choice := slice0window_tag_first_column;
+      else
+        slice1mask_inside_2_choice := slice1mask_inside_2;
+      end if;
       slice1mask_left_out <= slice1mask_inside_0;
+      if slice0window_tag_first_column then
+        slice1mask_inside_0 <= slice0window_tag_valid or slice1mask_inside_0;
+        slice1mask_inside_1 <= slice0window_tag_valid or slice1mask_inside_1;
+      else
+        slice1mask_inside_0 <= slice1mask_inside_0_choice;
+        slice1mask_inside_1 <= slice1mask_inside_1_choice;
+      end if;
+      if slice0mask_left_out then
+        slice1mask_inside_2 <= slice0window_tag_valid or slice1mask_inside_2;
+      else
+        slice1mask_inside_2 <= slice1mask_inside_2_choice;
+      end if;
       -- slice1winner1
-      slice1winner1_of_pair_0_0_choice := 0 when slice1mask_inside_1 else 4095;
+      if slice1mask_inside_1 then
+        slice1winner1_of_pair_0_0_choice := 0;
+      else
+        slice1winner1_of_pair_0_0_choice := 4095;
+      end if;
       slice1winner1_of_pair_0_0_any := to_integer(((to_unsigned(slice1window_sum_0_1, 12)) or
         (to_unsigned(slice1winner1_of_pair_0_0_choice, 12))));
-      slice1winner1_of_pair_0_0_choice_2 := 0 when slice1mask_inside_0 else 4095;
+      if slice1mask_inside_0 then
+        slice1winner1_of_pair_0_0_choice_2 := 0;
+      else
+        slice1winner1_of_pair_0_0_choice_2 := 4095;
+      end if;
       slice1winner1_of_pair_0_0_any_2 := to_integer(((to_unsigned(slice1window_sum_0_0, 12)) or
         (to_unsigned(slice1winner1_of_pair_0_0_choice_2, 12))));
       slice1winner1_of_pair_0_0_is_less := (slice1winner1_of_pair_0_0_any - slice1winner1_of_pair_0_0_any_2) < 0;
-      slice1winner1_of_pair_0_2_choice := 0 when slice1mask_inside_2 else 4095;
+      if slice1mask_inside_2 then
+        slice1winner1_of_pair_0_2_choice := 0;
+      else
+        slice1winner1_of_pair_0_2_choice := 4095;
+      end if;
       slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
         to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1winner1_of_pair_0_0_any_2;
-      slice1winner1_of_pair_0_1 <= slice1winner1_of_pair_0_0_any when slice1winner1_of_pair_0_0_is_less else 0;
       slice1winner1_of_pair_0_2 <= to_integer(((to_unsigned(slice1window_sum_0_2, 12)) or
         (to_unsigned(slice1winner1_of_pair_0_2_choice, 12))));
       slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
       slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
         (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
       slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      if slice1winner1_of_pair_0_0_is_less then
+        slice1winner1_of_pair_0_0 <= 0;
+        slice1winner1_of_pair_0_1 <= slice1winner1_of_pair_0_0_any;
+      else
+        slice1winner1_of_pair_0_0 <= slice1winner1_of_pair_0_0_any_2;
+        slice1winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice1winner1_of_four_0_0_is_less then
+        slice1winner1_of_four_0_0 <= 0;
+        slice1winner1_of_four_0_1 <= 0;
+        slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2;
+        slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice1winner1_of_four_0_0 <= slice1winner1_of_pair_0_0;
+        slice1winner1_of_four_0_1 <= slice1winner1_of_pair_0_1;
+        slice1winner1_of_four_0_2 <= 0;
+        slice1winner1_four_index_0_0 <= as_number(slice1winner1_pair_index_0_0);
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1_best_index_0_0 <= (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -882,24 +1187,48 @@ begin
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
       -- slice2mask
-      slice2mask_inside_0_choice := slice2mask_inside_1 when slice0winner1_pair_tag_valid else slice2mask_inside_0;
-      slice2mask_inside_1_choice := slice0winner1_pair_tag_first_column when slice0winner1_pair_tag_valid else
-        slice2mask_inside_1;
-      slice2mask_inside_0 <= slice0winner1_pair_tag_valid or slice2mask_inside_0 when
-        slice0winner1_pair_tag_first_column else slice2mask_inside_0_choice;
-      slice2mask_inside_1 <= slice0winner1_pair_tag_valid or slice2mask_inside_1 when slice1mask_left_out else
-        slice2mask_inside_1_choice;
+      if slice0winner1_pair_tag_valid then
+        slice2mask_inside_0_choice := slice2mask_inside_1;
+      else
+        slice2mask_inside_0_choice := slice2mask_inside_0;
+      end if;
+      if slice0winner1_pair_tag_valid then
+        slice2mask_inside_1_choice := slice0winner1_pair_tag_first_column;
+      else
+        slice2mask_inside_1_choice := slice2mask_inside_1;
+      end if;
+      if slice0winner1_pair_tag_first_column then
+        slice2mask_inside_0 <= slice0winner1_pair_tag_valid or slice2mask_inside_0;
+      else
+        slice2mask_inside_0 <= slice2mask_inside_0_choice;
+      end if;
+      if slice1mask_left_out then
+        slice2mask_inside_1 <= slice0winner1_pair_tag_valid or slice2mask_inside_1;
+      else
+        slice2mask_inside_1 <= slice2mask_inside_1_choice;
+      end if;
       -- slice2winner1
-      slice2winner1_best_cost_0_0_choice := 0 when slice2mask_inside_1 else 4095;
+      if slice2mask_inside_1 then
+        slice2winner1_best_cost_0_0_choice := 0;
+      else
+        slice2winner1_best_cost_0_0_choice := 4095;
+      end if;
       slice2winner1_best_cost_0_0_any := to_integer(((to_unsigned(slice2winner1_best_cost_0_0_choice, 12)) or
         (to_unsigned(slice2window_sum_0_1, 12))));
-      slice2winner1_best_cost_0_0_choice_2 := 0 when slice2mask_inside_0 else 4095;
+      if slice2mask_inside_0 then
+        slice2winner1_best_cost_0_0_choice_2 := 0;
+      else
+        slice2winner1_best_cost_0_0_choice_2 := 4095;
+      end if;
       slice2winner1_best_cost_0_0_any_2 := to_integer(((to_unsigned(slice2winner1_best_cost_0_0_choice_2, 12)) or
         (to_unsigned(slice2window_sum_0_0, 12))));
       slice2winner1_best_cost_0_0_is_less := (slice2winner1_best_cost_0_0_any - slice2winner1_best_cost_0_0_any_2) < 0;
-      slice2winner1_best_cost_0_0 <= slice2winner1_best_cost_0_0_any when slice2winner1_best_cost_0_0_is_less else
-        slice2winner1_best_cost_0_0_any_2;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2winner1_best_cost_0_0_any;
+      else
+        slice2winner1_best_cost_0_0 <= slice2winner1_best_cost_0_0_any_2;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
@@ -907,16 +1236,23 @@ begin
       slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
       slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
-        as_number(slice2winner3_best_index_0_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 then
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      else
+        slice2_best_index_0_0 <= as_number(slice2winner3_best_index_0_0);
+      end if;
       -- refinement
       refinement_divisor_0_is_less := 8 < in_image_width;
       refinement_divisor_0 <= refinement_divisor_0_is_less;
-      refinement_fraction <= 8 when refinement_divisor_0_is_less else (8 - in_image_width) mod 65536;
+      if refinement_divisor_0_is_less then
+        refinement_fraction <= 8;
+      else
+        refinement_fraction <= (8 - in_image_width) mod 65536;
+      end if;
       if reset = '1' then
         size_windows_last_column <= 31;
         size_windows_last_group <= 11;

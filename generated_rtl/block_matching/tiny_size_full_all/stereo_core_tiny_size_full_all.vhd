@@ -448,96 +448,144 @@ architecture rtl of stereo_core_tiny_size_full_all is
   signal other_9 : natural range 0 to 128;
   signal other_10, other_11, other_12, other_13, other_14 : boolean;
   signal other_15 : natural range 0 to 65535;
+  signal map_rows_read_words_0_memory_read_enable : boolean;
+  signal map_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal map_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal leftright_found_0_memory_read_enable : boolean;
+  signal leftright_found_0_memory_read_address : unsigned(3 downto 0);
+  signal leftright_found_0_memory_write_address : unsigned(3 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
+  signal leftright_held_0_memory_read_enable : boolean;
+  signal leftright_held_0_memory_read_address : unsigned(2 downto 0);
+  signal leftright_held_0_memory_write_address : unsigned(2 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(13 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(13 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(1 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(1 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(6 downto 0);
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_image_height <= to_integer(unsigned(image_height));
-  in_image_width <= to_integer(unsigned(image_width));
-  in_last_disparity <= to_integer(unsigned(last_disparity));
-  in_first_disparity <= to_integer(unsigned(first_disparity));
-  in_left_right_threshold <= to_integer(unsigned(left_right_threshold));
-  in_uniqueness_percent <= to_integer(unsigned(uniqueness_percent));
-  in_texture_threshold <= to_integer(unsigned(texture_threshold));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_image_height <= to_integer(unsigned(to_stdlogicvector(to_bitvector(image_height))));
+  in_image_width <= to_integer(unsigned(to_stdlogicvector(to_bitvector(image_width))));
+  in_last_disparity <= to_integer(unsigned(to_stdlogicvector(to_bitvector(last_disparity))));
+  in_first_disparity <= to_integer(unsigned(to_stdlogicvector(to_bitvector(first_disparity))));
+  in_left_right_threshold <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_right_threshold))));
+  in_uniqueness_percent <= to_integer(unsigned(to_stdlogicvector(to_bitvector(uniqueness_percent))));
+  in_texture_threshold <= to_integer(unsigned(to_stdlogicvector(to_bitvector(texture_threshold))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  map_rows_read_words_0_memory_read_enable <= true;
+  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 6);
+  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 6);
   map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 38, width => 26)
+    generic map (depth => 38, width => 26, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
+      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
+      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
 
+  leftright_found_0_memory_read_enable <= true;
+  leftright_found_0_memory_read_address <= to_unsigned(leftright_address_0, 4);
+  leftright_found_0_memory_write_address <= to_unsigned(leftright_position, 4);
   leftright_found_0_memory_write_data <= to_unsigned(leftright_other_13_0, 3);
   leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
+    generic map (depth => 16, width => 3, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+      clock => clock, read_enable => leftright_found_0_memory_read_enable,
+      read_address => leftright_found_0_memory_read_address, read_data => leftright_found_0,
+      write_address => leftright_found_0_memory_write_address, write_data => leftright_found_0_memory_write_data);
 
+  leftright_held_0_memory_read_enable <= true;
+  leftright_held_0_memory_read_address <= to_unsigned(leftright_ring_read_address, 3);
+  leftright_held_0_memory_write_address <= to_unsigned(leftright_ring_write_address, 3);
   leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
   leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 18)
+    generic map (depth => 8, width => 18, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+      clock => clock, read_enable => leftright_held_0_memory_read_enable,
+      read_address => leftright_held_0_memory_read_address, read_data => leftright_held_0,
+      write_address => leftright_held_0_memory_write_address, write_data => leftright_held_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 14);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 14)
+    generic map (depth => 40, width => 14, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 14);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 14)
+    generic map (depth => 40, width => 14, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 2);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 2);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 7);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 4, width => 7)
+    generic map (depth => 4, width => 7, address_bits => 2)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 16)
+    generic map (depth => 40, width => 16, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 16)
+    generic map (depth => 40, width => 16, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable settings_texture_threshold_any, transform_counter_group_value, transform_counter_group_differs : boolean;
@@ -716,41 +764,68 @@ begin
       transform_counter_group_value_2 := ((transform_counter_group / 2) mod 2) = 1;
       transform_counter_group_is_equal := (size_windows_last_group mod 4) = 3;
       transform_counter_group_is_equal_2 := (size_windows_last_group mod 4) = 1;
-      transform_counter_group_choice := transform_counter_group_is_equal when transform_counter_group_value_2 else
-        transform_counter_group_is_equal_2;
+      if transform_counter_group_value_2 then
+        transform_counter_group_choice := transform_counter_group_is_equal;
+      else
+        transform_counter_group_choice := transform_counter_group_is_equal_2;
+      end if;
       transform_counter_group_is_equal_3 := (size_windows_last_group mod 4) = 2;
       transform_counter_group_is_equal_4 := (size_windows_last_group mod 4) = 0;
-      transform_counter_group_choice_2 := transform_counter_group_is_equal_3 when transform_counter_group_value_2 else
-        transform_counter_group_is_equal_4;
-      transform_counter_group_choice_3 := transform_counter_group_choice when (transform_counter_group mod 2) = 1 else
-        transform_counter_group_choice_2;
+      if transform_counter_group_value_2 then
+        transform_counter_group_choice_2 := transform_counter_group_is_equal_3;
+      else
+        transform_counter_group_choice_2 := transform_counter_group_is_equal_4;
+      end if;
+      if (transform_counter_group mod 2) = 1 then
+        transform_counter_group_choice_3 := transform_counter_group_choice;
+      else
+        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+      end if;
       transform_counter_group_value_3 := ((transform_counter_group / 4) mod 2) = 1;
       transform_counter_group_value_4 := ((size_windows_last_group / 4) mod 2) = 1;
       transform_counter_group_differs_2 := transform_counter_group_value_3 /= (not transform_counter_group_value_4);
       transform_counter_group_value_5 := ((transform_counter_column / 16) mod 2) = 1;
       transform_counter_group_is_equal_5 := (size_windows_last_column / 16) = 3;
       transform_counter_group_is_equal_6 := (size_windows_last_column / 16) = 2;
-      transform_counter_group_choice_4 := transform_counter_group_is_equal_5 when transform_counter_group_value_5 else
-        transform_counter_group_is_equal_6;
+      if transform_counter_group_value_5 then
+        transform_counter_group_choice_4 := transform_counter_group_is_equal_5;
+      else
+        transform_counter_group_choice_4 := transform_counter_group_is_equal_6;
+      end if;
       transform_counter_group_is_equal_7 := (size_windows_last_column / 16) = 1;
       transform_counter_group_is_equal_8 := (size_windows_last_column / 16) = 0;
-      transform_counter_group_choice_5 := transform_counter_group_is_equal_7 when transform_counter_group_value_5 else
-        transform_counter_group_is_equal_8;
-      transform_counter_group_choice_6 := transform_counter_group_choice_4 when (transform_counter_column / 32) = 1
-        else transform_counter_group_choice_5;
+      if transform_counter_group_value_5 then
+        transform_counter_group_choice_5 := transform_counter_group_is_equal_7;
+      else
+        transform_counter_group_choice_5 := transform_counter_group_is_equal_8;
+      end if;
+      if (transform_counter_column / 32) = 1 then
+        transform_counter_group_choice_6 := transform_counter_group_choice_4;
+      else
+        transform_counter_group_choice_6 := transform_counter_group_choice_5;
+      end if;
       transform_counter_group_value_6 := ((transform_counter_column / 2) mod 2) = 1;
       transform_counter_group_value_7 := ((transform_counter_column / 4) mod 2) = 1;
       transform_counter_group_value_8 := (size_windows_last_column / 2) mod 4;
       transform_counter_group_is_equal_9 := transform_counter_group_value_8 = 3;
       transform_counter_group_is_equal_10 := transform_counter_group_value_8 = 1;
-      transform_counter_group_choice_7 := transform_counter_group_is_equal_9 when transform_counter_group_value_7 else
-        transform_counter_group_is_equal_10;
+      if transform_counter_group_value_7 then
+        transform_counter_group_choice_7 := transform_counter_group_is_equal_9;
+      else
+        transform_counter_group_choice_7 := transform_counter_group_is_equal_10;
+      end if;
       transform_counter_group_is_equal_11 := transform_counter_group_value_8 = 2;
       transform_counter_group_is_equal_12 := transform_counter_group_value_8 = 0;
-      transform_counter_group_choice_8 := transform_counter_group_is_equal_11 when transform_counter_group_value_7 else
-        transform_counter_group_is_equal_12;
-      transform_counter_group_choice_9 := transform_counter_group_choice_7 when transform_counter_group_value_6 else
-        transform_counter_group_choice_8;
+      if transform_counter_group_value_7 then
+        transform_counter_group_choice_8 := transform_counter_group_is_equal_11;
+      else
+        transform_counter_group_choice_8 := transform_counter_group_is_equal_12;
+      end if;
+      if transform_counter_group_value_6 then
+        transform_counter_group_choice_9 := transform_counter_group_choice_7;
+      else
+        transform_counter_group_choice_9 := transform_counter_group_choice_8;
+      end if;
       transform_counter_group_differs_3 := ((transform_counter_column mod 2) = 1) /= (not ((size_windows_last_column
         mod 2) = 1));
       transform_counter_group_value_9 := ((size_windows_last_column / 8) mod 2) = 1;
@@ -759,69 +834,121 @@ begin
       transform_counter_group_all := (not ((transform_counter_group / 16) = 1)) and transform_counter_group_differs and
         transform_counter_group_choice_3 and transform_counter_group_differs_2 and transform_counter_group_choice_6 and
         transform_counter_group_choice_9 and transform_counter_group_differs_3 and transform_counter_group_differs_4;
-      transform_counter_group_choice_10 := size_windows_groups when transform_counter_group_all else 0;
+      if transform_counter_group_all then
+        transform_counter_group_choice_10 := size_windows_groups;
+      else
+        transform_counter_group_choice_10 := 0;
+      end if;
       transform_counter_group_value_10 := ((size_windows_idle / 2) mod 2) = 1;
       transform_counter_group_any := (not transform_counter_group_value_10) or (not ((size_windows_idle mod 2) = 1));
       transform_counter_group_is_equal_13 := (size_windows_idle mod 4) = 0;
-      transform_counter_group_choice_11 := transform_counter_group_any when transform_counter_group_value_2 else
-        transform_counter_group_is_equal_13;
-      transform_counter_group_choice_12 := transform_counter_group_value_2 or (not transform_counter_group_value_10)
-        when (transform_counter_group mod 2) = 1 else transform_counter_group_choice_11;
+      if transform_counter_group_value_2 then
+        transform_counter_group_choice_11 := transform_counter_group_any;
+      else
+        transform_counter_group_choice_11 := transform_counter_group_is_equal_13;
+      end if;
+      if (transform_counter_group mod 2) = 1 then
+        transform_counter_group_choice_12 := transform_counter_group_value_2 or (not transform_counter_group_value_10);
+      else
+        transform_counter_group_choice_12 := transform_counter_group_choice_11;
+      end if;
       transform_counter_group_value_11 := ((size_windows_idle / 4) mod 2) = 1;
-      transform_counter_group_choice_13 := (not transform_counter_group_value_3) and transform_counter_group_value_11
-        when transform_counter_group_choice_12 else (not transform_counter_group_value_3) or
-        transform_counter_group_value_11;
+      if transform_counter_group_choice_12 then
+        transform_counter_group_choice_13 := (not transform_counter_group_value_3) and transform_counter_group_value_11;
+      else
+        transform_counter_group_choice_13 := (not transform_counter_group_value_3) or transform_counter_group_value_11;
+      end if;
       transform_counter_group_value_12 := ((size_windows_idle / 8) mod 2) = 1;
-      transform_counter_group_choice_14 := (not transform_counter_group_value) or transform_counter_group_value_12 when
-        transform_counter_group_choice_13 else (not transform_counter_group_value) and transform_counter_group_value_12;
-      transform_counter_group_choice_15 := transform_counter_group_choice_6 and transform_counter_group_choice_9 and
-        transform_counter_group_differs_3 and transform_counter_group_differs_4 and ((not ((transform_counter_group /
-        16) = 1)) or ((size_windows_idle / 16) = 1)) when transform_counter_group_choice_14 else
-        transform_counter_group_choice_6 and transform_counter_group_choice_9 and transform_counter_group_differs_3 and
-        transform_counter_group_differs_4 and (not ((transform_counter_group / 16) = 1)) and ((size_windows_idle / 16)
-        = 1);
+      if transform_counter_group_choice_13 then
+        transform_counter_group_choice_14 := (not transform_counter_group_value) or transform_counter_group_value_12;
+      else
+        transform_counter_group_choice_14 := (not transform_counter_group_value) and transform_counter_group_value_12;
+      end if;
+      if transform_counter_group_choice_14 then
+        transform_counter_group_choice_15 := transform_counter_group_choice_6 and transform_counter_group_choice_9 and
+          transform_counter_group_differs_3 and transform_counter_group_differs_4 and ((not ((transform_counter_group /
+          16) = 1)) or ((size_windows_idle / 16) = 1));
+      else
+        transform_counter_group_choice_15 := transform_counter_group_choice_6 and transform_counter_group_choice_9 and
+          transform_counter_group_differs_3 and transform_counter_group_differs_4 and (not ((transform_counter_group /
+          16) = 1)) and ((size_windows_idle / 16) = 1);
+      end if;
       transform_counter_group_is_equal_14 := (size_windows_groups / 8) = 3;
       transform_counter_group_is_equal_15 := (size_windows_groups / 8) = 2;
-      transform_counter_group_choice_16 := transform_counter_group_is_equal_14 when transform_counter_group_value else
-        transform_counter_group_is_equal_15;
+      if transform_counter_group_value then
+        transform_counter_group_choice_16 := transform_counter_group_is_equal_14;
+      else
+        transform_counter_group_choice_16 := transform_counter_group_is_equal_15;
+      end if;
       transform_counter_group_is_equal_16 := (size_windows_groups / 8) = 1;
       transform_counter_group_is_equal_17 := (size_windows_groups / 8) = 0;
-      transform_counter_group_choice_17 := transform_counter_group_is_equal_16 when transform_counter_group_value else
-        transform_counter_group_is_equal_17;
-      transform_counter_group_choice_18 := transform_counter_group_choice_16 when (transform_counter_group / 16) = 1
-        else transform_counter_group_choice_17;
+      if transform_counter_group_value then
+        transform_counter_group_choice_17 := transform_counter_group_is_equal_16;
+      else
+        transform_counter_group_choice_17 := transform_counter_group_is_equal_17;
+      end if;
+      if (transform_counter_group / 16) = 1 then
+        transform_counter_group_choice_18 := transform_counter_group_choice_16;
+      else
+        transform_counter_group_choice_18 := transform_counter_group_choice_17;
+      end if;
       transform_counter_group_is_equal_18 := (size_windows_groups mod 4) = 3;
       transform_counter_group_is_equal_19 := (size_windows_groups mod 4) = 1;
-      transform_counter_group_choice_19 := transform_counter_group_is_equal_18 when transform_counter_group_value_2
-        else transform_counter_group_is_equal_19;
+      if transform_counter_group_value_2 then
+        transform_counter_group_choice_19 := transform_counter_group_is_equal_18;
+      else
+        transform_counter_group_choice_19 := transform_counter_group_is_equal_19;
+      end if;
       transform_counter_group_is_equal_20 := (size_windows_groups mod 4) = 2;
       transform_counter_group_is_equal_21 := (size_windows_groups mod 4) = 0;
-      transform_counter_group_choice_20 := transform_counter_group_is_equal_20 when transform_counter_group_value_2
-        else transform_counter_group_is_equal_21;
-      transform_counter_group_choice_21 := transform_counter_group_choice_19 when (transform_counter_group mod 2) = 1
-        else transform_counter_group_choice_20;
+      if transform_counter_group_value_2 then
+        transform_counter_group_choice_20 := transform_counter_group_is_equal_20;
+      else
+        transform_counter_group_choice_20 := transform_counter_group_is_equal_21;
+      end if;
+      if (transform_counter_group mod 2) = 1 then
+        transform_counter_group_choice_21 := transform_counter_group_choice_19;
+      else
+        transform_counter_group_choice_21 := transform_counter_group_choice_20;
+      end if;
       transform_counter_group_value_13 := ((size_windows_groups / 4) mod 2) = 1;
       transform_counter_group_differs_5 := transform_counter_group_value_3 /= (not transform_counter_group_value_13);
-      transform_counter_group_choice_22 := 1 when transform_counter_group_choice_18 and
-        transform_counter_group_choice_21 and transform_counter_group_differs_5 and transform_counter_next_frame else
-        (transform_counter_group + 1) mod 32;
-      transform_counter_group_choice_23 := transform_counter_group_choice_22 when transform_counter_group_choice_15 and
-        in_valid else transform_counter_group;
+      if transform_counter_group_choice_18 and transform_counter_group_choice_21 and transform_counter_group_differs_5
+        and transform_counter_next_frame then
+        transform_counter_group_choice_22 := 1;
+      else
+        transform_counter_group_choice_22 := (transform_counter_group + 1) mod 32;
+      end if;
+      if transform_counter_group_choice_15 and in_valid then
+        transform_counter_group_choice_23 := transform_counter_group_choice_22;
+      else
+        transform_counter_group_choice_23 := transform_counter_group;
+      end if;
       transform_read_row_inside_0_difference := transform_counter_group - size_windows_groups;
       transform_read_row_inside_0_is_less := transform_read_row_inside_0_difference < 2;
-      transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
-        (transform_left_filter_slope_0 + 31) mod 128;
-      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-31) else
-        transform_left_filter_feature_0_choice;
-      transform_right_filter_feature_0_choice := 62 when 31 < transform_right_filter_slope_0 else
-        (transform_right_filter_slope_0 + 31) mod 128;
-      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-31) else
-        transform_right_filter_feature_0_choice;
+      if 31 < transform_left_filter_slope_0 then
+        transform_left_filter_feature_0_choice := 62;
+      else
+        transform_left_filter_feature_0_choice := (transform_left_filter_slope_0 + 31) mod 128;
+      end if;
+      if transform_left_filter_slope_0 < (-31) then
+        transform_left_filter_feature_0_choice_2 := 0;
+      else
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      end if;
+      if 31 < transform_right_filter_slope_0 then
+        transform_right_filter_feature_0_choice := 62;
+      else
+        transform_right_filter_feature_0_choice := (transform_right_filter_slope_0 + 31) mod 128;
+      end if;
+      if transform_right_filter_slope_0 < (-31) then
+        transform_right_filter_feature_0_choice_2 := 0;
+      else
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice_10 when in_valid and in_start_of_frame else
-        transform_counter_group_choice_23;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -829,14 +956,10 @@ begin
       transform_right_rows_ready_words_0 <= to_integer(transform_right_rows_read_words_0);
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
-      transform_read_row_inside_0 <= transform_read_row_inside_0_is_less and transform_counter_group_value_2 when
-        (transform_counter_group / 4) = 0 else transform_read_row_inside_0_is_less;
       transform_read_row_inside_2 <= transform_read_row_inside_0_difference < 0;
       transform_read_column_inside_0 <= ((transform_counter_column / 4) /= 0) or transform_counter_group_value_6 or
         ((transform_counter_column mod 2) = 1);
       transform_read_column_inside_1 <= true;
-      transform_read_column_inside_2 <= (transform_counter_column = 0) /= ((transform_counter_column / 32) = 1) when
-        ((transform_counter_column / 2) mod 16) = 0 else transform_counter_column /= 0;
       transform_read_start_of_frame <= (transform_counter_column = 1) and (transform_counter_group = 1);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
@@ -860,11 +983,7 @@ begin
       transform_columns_valid <= transform_ready_valid;
       transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
       transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
-      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
-        31;
       transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
-      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
-        else 31;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -873,18 +992,49 @@ begin
       transform_filtering_1_valid <= transform_filtering_0_valid;
       transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
       transform_filtering_2_valid <= transform_filtering_1_valid;
-      transform_counter_next_frame_choice := (not (transform_counter_group_choice_18 and
-        transform_counter_group_choice_21 and transform_counter_group_differs_5)) and transform_counter_next_frame when
-        transform_counter_group_choice_15 else transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= transform_counter_group_choice_10;
+      else
+        transform_counter_group <= transform_counter_group_choice_23;
+      end if;
+      if (transform_counter_group / 4) = 0 then
+        transform_read_row_inside_0 <= transform_read_row_inside_0_is_less and transform_counter_group_value_2;
+      else
+        transform_read_row_inside_0 <= transform_read_row_inside_0_is_less;
+      end if;
+      if ((transform_counter_column / 2) mod 16) = 0 then
+        transform_read_column_inside_2 <= (transform_counter_column = 0) /= ((transform_counter_column / 32) = 1);
+      else
+        transform_read_column_inside_2 <= transform_counter_column /= 0;
+      end if;
+      if transform_left_filter_whole then
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2;
+      else
+        transform_left_filter_feature_0 <= 31;
+        transform_right_filter_feature_0 <= 31;
+      end if;
+      if transform_counter_group_choice_15 then
+        transform_counter_next_frame_choice := (not (transform_counter_group_choice_18 and
+          transform_counter_group_choice_21 and transform_counter_group_differs_5)) and transform_counter_next_frame;
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when (transform_counter_group_choice_6 and transform_counter_group_choice_9 and
-          transform_counter_group_differs_3 and transform_counter_group_differs_4) or in_start_of_frame else
-          (transform_counter_column + 1) mod 64;
-        transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame) when
-          transform_counter_next_frame_choice else (not ((transform_counter_group / 16) = 1)) and
-          transform_counter_group_differs and transform_counter_group_choice_3 and transform_counter_group_differs_2
-          and transform_counter_group_choice_6 and transform_counter_group_choice_9 and
-          transform_counter_group_differs_3 and transform_counter_group_differs_4 and in_start_of_frame;
+        if (transform_counter_group_choice_6 and transform_counter_group_choice_9 and transform_counter_group_differs_3
+          and transform_counter_group_differs_4) or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 64;
+        end if;
+        if transform_counter_next_frame_choice then
+          transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame);
+        else
+          transform_counter_next_frame <= (not ((transform_counter_group / 16) = 1)) and
+            transform_counter_group_differs and transform_counter_group_choice_3 and transform_counter_group_differs_2
+            and transform_counter_group_choice_6 and transform_counter_group_choice_9 and
+            transform_counter_group_differs_3 and transform_counter_group_differs_4 and in_start_of_frame;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_newest_0 * 256) +
@@ -893,18 +1043,36 @@ begin
           (transform_right_rows_ready_words_0 / 256);
         transform_write_column <= transform_ready_column;
       end if;
-      transform_left_filter_column_0_0_choice := transform_left_column_0 when transform_columns_row_inside_0 else
-        transform_left_column_2;
-      transform_left_filter_column_0_0_choice_2 := transform_left_column_2 when transform_columns_row_inside_2 else
-        transform_left_column_0;
-      transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1 when
-        transform_columns_row_inside_2 else (transform_left_column_0 mod 2) = 1;
-      transform_right_filter_column_0_0_choice := transform_right_column_0 when transform_columns_row_inside_0 else
-        transform_right_column_2;
-      transform_right_filter_column_0_0_choice_2 := transform_right_column_2 when transform_columns_row_inside_2 else
-        transform_right_column_0;
-      transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1 when
-        transform_columns_row_inside_2 else (transform_right_column_0 mod 2) = 1;
+      if transform_columns_row_inside_0 then
+        transform_left_filter_column_0_0_choice := transform_left_column_0;
+      else
+        transform_left_filter_column_0_0_choice := transform_left_column_2;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_2;
+      else
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_0;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1;
+      else
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_0 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_0 then
+        transform_right_filter_column_0_0_choice := transform_right_column_0;
+      else
+        transform_right_filter_column_0_0_choice := transform_right_column_2;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_2;
+      else
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_0;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1;
+      else
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_0 mod 2) = 1;
+      end if;
       if transform_columns_valid then
         transform_left_filter_column_0_0 <= transform_left_filter_column_0_0_choice +
           (((transform_left_filter_column_0_0_choice_2 / 2) + transform_left_column_1) * 2) +
@@ -921,152 +1089,285 @@ begin
       raster_place_group_value := ((raster_place_group / 8) mod 2) = 1;
       raster_place_group_differs := raster_place_group_value /= (not ((size_windows_last_group / 8) = 1));
       raster_place_group_value_2 := ((raster_place_group / 2) mod 2) = 1;
-      raster_place_group_choice := transform_counter_group_is_equal when raster_place_group_value_2 else
-        transform_counter_group_is_equal_2;
-      raster_place_group_choice_2 := transform_counter_group_is_equal_3 when raster_place_group_value_2 else
-        transform_counter_group_is_equal_4;
-      raster_place_group_choice_3 := raster_place_group_choice when (raster_place_group mod 2) = 1 else
-        raster_place_group_choice_2;
+      if raster_place_group_value_2 then
+        raster_place_group_choice := transform_counter_group_is_equal;
+      else
+        raster_place_group_choice := transform_counter_group_is_equal_2;
+      end if;
+      if raster_place_group_value_2 then
+        raster_place_group_choice_2 := transform_counter_group_is_equal_3;
+      else
+        raster_place_group_choice_2 := transform_counter_group_is_equal_4;
+      end if;
+      if (raster_place_group mod 2) = 1 then
+        raster_place_group_choice_3 := raster_place_group_choice;
+      else
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      end if;
       raster_place_group_value_3 := ((raster_place_group / 4) mod 2) = 1;
       raster_place_group_differs_2 := raster_place_group_value_3 /= (not transform_counter_group_value_4);
       raster_place_group_value_4 := ((size_windows_last_column / 16) mod 2) = 1;
-      raster_place_group_choice_4 := (raster_place_column / 16) = 3 when raster_place_group_value_4 else
-        (raster_place_column / 16) = 2;
+      if raster_place_group_value_4 then
+        raster_place_group_choice_4 := (raster_place_column / 16) = 3;
+      else
+        raster_place_group_choice_4 := (raster_place_column / 16) = 2;
+      end if;
       raster_place_group_is_equal := (raster_place_column / 16) = 0;
-      raster_place_group_choice_5 := (raster_place_column / 16) = 1 when raster_place_group_value_4 else
-        raster_place_group_is_equal;
-      raster_place_group_choice_6 := raster_place_group_choice_4 when (size_windows_last_column / 32) = 1 else
-        raster_place_group_choice_5;
+      if raster_place_group_value_4 then
+        raster_place_group_choice_5 := (raster_place_column / 16) = 1;
+      else
+        raster_place_group_choice_5 := raster_place_group_is_equal;
+      end if;
+      if (size_windows_last_column / 32) = 1 then
+        raster_place_group_choice_6 := raster_place_group_choice_4;
+      else
+        raster_place_group_choice_6 := raster_place_group_choice_5;
+      end if;
       raster_place_group_value_5 := ((size_windows_last_column / 2) mod 2) = 1;
       raster_place_group_value_6 := (raster_place_column / 2) mod 4;
-      raster_place_group_choice_7 := raster_place_group_value_6 = 3 when raster_place_group_value_5 else
-        raster_place_group_value_6 = 2;
-      raster_place_group_choice_8 := raster_place_group_value_6 = 1 when raster_place_group_value_5 else
-        raster_place_group_value_6 = 0;
-      raster_place_group_choice_9 := raster_place_group_choice_7 when ((size_windows_last_column / 4) mod 2) = 1 else
-        raster_place_group_choice_8;
+      if raster_place_group_value_5 then
+        raster_place_group_choice_7 := raster_place_group_value_6 = 3;
+      else
+        raster_place_group_choice_7 := raster_place_group_value_6 = 2;
+      end if;
+      if raster_place_group_value_5 then
+        raster_place_group_choice_8 := raster_place_group_value_6 = 1;
+      else
+        raster_place_group_choice_8 := raster_place_group_value_6 = 0;
+      end if;
+      if ((size_windows_last_column / 4) mod 2) = 1 then
+        raster_place_group_choice_9 := raster_place_group_choice_7;
+      else
+        raster_place_group_choice_9 := raster_place_group_choice_8;
+      end if;
       raster_place_group_differs_3 := ((size_windows_last_column mod 2) = 1) /= (not ((raster_place_column mod 2) = 1));
       raster_place_group_differs_4 := transform_counter_group_value_9 /= (not (((raster_place_column / 8) mod 2) = 1));
       raster_place_group_all := (not ((raster_place_group / 16) = 1)) and raster_place_group_differs and
         raster_place_group_choice_3 and raster_place_group_differs_2 and raster_place_group_choice_6 and
         raster_place_group_choice_9 and raster_place_group_differs_3 and raster_place_group_differs_4;
-      raster_place_group_choice_10 := size_windows_groups when raster_place_group_all else 0;
-      raster_place_group_choice_11 := transform_counter_group_any when raster_place_group_value_2 else
-        transform_counter_group_is_equal_13;
-      raster_place_group_choice_12 := raster_place_group_value_2 or (not transform_counter_group_value_10) when
-        (raster_place_group mod 2) = 1 else raster_place_group_choice_11;
-      raster_place_group_choice_13 := (not raster_place_group_value_3) and transform_counter_group_value_11 when
-        raster_place_group_choice_12 else (not raster_place_group_value_3) or transform_counter_group_value_11;
-      raster_place_group_choice_14 := (not raster_place_group_value) or transform_counter_group_value_12 when
-        raster_place_group_choice_13 else (not raster_place_group_value) and transform_counter_group_value_12;
-      raster_place_group_choice_15 := (not ((raster_place_group / 16) = 1)) or ((size_windows_idle / 16) = 1) when
-        raster_place_group_choice_14 else (not ((raster_place_group / 16) = 1)) and ((size_windows_idle / 16) = 1);
-      raster_place_group_choice_16 := transform_counter_group_is_equal_14 when raster_place_group_value else
-        transform_counter_group_is_equal_15;
-      raster_place_group_choice_17 := transform_counter_group_is_equal_16 when raster_place_group_value else
-        transform_counter_group_is_equal_17;
-      raster_place_group_choice_18 := raster_place_group_choice_16 when (raster_place_group / 16) = 1 else
-        raster_place_group_choice_17;
-      raster_place_group_choice_19 := transform_counter_group_is_equal_18 when raster_place_group_value_2 else
-        transform_counter_group_is_equal_19;
-      raster_place_group_choice_20 := transform_counter_group_is_equal_20 when raster_place_group_value_2 else
-        transform_counter_group_is_equal_21;
-      raster_place_group_choice_21 := raster_place_group_choice_19 when (raster_place_group mod 2) = 1 else
-        raster_place_group_choice_20;
+      if raster_place_group_all then
+        raster_place_group_choice_10 := size_windows_groups;
+      else
+        raster_place_group_choice_10 := 0;
+      end if;
+      if raster_place_group_value_2 then
+        raster_place_group_choice_11 := transform_counter_group_any;
+      else
+        raster_place_group_choice_11 := transform_counter_group_is_equal_13;
+      end if;
+      if (raster_place_group mod 2) = 1 then
+        raster_place_group_choice_12 := raster_place_group_value_2 or (not transform_counter_group_value_10);
+      else
+        raster_place_group_choice_12 := raster_place_group_choice_11;
+      end if;
+      if raster_place_group_choice_12 then
+        raster_place_group_choice_13 := (not raster_place_group_value_3) and transform_counter_group_value_11;
+      else
+        raster_place_group_choice_13 := (not raster_place_group_value_3) or transform_counter_group_value_11;
+      end if;
+      if raster_place_group_choice_13 then
+        raster_place_group_choice_14 := (not raster_place_group_value) or transform_counter_group_value_12;
+      else
+        raster_place_group_choice_14 := (not raster_place_group_value) and transform_counter_group_value_12;
+      end if;
+      if raster_place_group_choice_14 then
+        raster_place_group_choice_15 := (not ((raster_place_group / 16) = 1)) or ((size_windows_idle / 16) = 1);
+      else
+        raster_place_group_choice_15 := (not ((raster_place_group / 16) = 1)) and ((size_windows_idle / 16) = 1);
+      end if;
+      if raster_place_group_value then
+        raster_place_group_choice_16 := transform_counter_group_is_equal_14;
+      else
+        raster_place_group_choice_16 := transform_counter_group_is_equal_15;
+      end if;
+      if raster_place_group_value then
+        raster_place_group_choice_17 := transform_counter_group_is_equal_16;
+      else
+        raster_place_group_choice_17 := transform_counter_group_is_equal_17;
+      end if;
+      if (raster_place_group / 16) = 1 then
+        raster_place_group_choice_18 := raster_place_group_choice_16;
+      else
+        raster_place_group_choice_18 := raster_place_group_choice_17;
+      end if;
+      if raster_place_group_value_2 then
+        raster_place_group_choice_19 := transform_counter_group_is_equal_18;
+      else
+        raster_place_group_choice_19 := transform_counter_group_is_equal_19;
+      end if;
+      if raster_place_group_value_2 then
+        raster_place_group_choice_20 := transform_counter_group_is_equal_20;
+      else
+        raster_place_group_choice_20 := transform_counter_group_is_equal_21;
+      end if;
+      if (raster_place_group mod 2) = 1 then
+        raster_place_group_choice_21 := raster_place_group_choice_19;
+      else
+        raster_place_group_choice_21 := raster_place_group_choice_20;
+      end if;
       raster_place_group_differs_5 := raster_place_group_value_3 /= (not transform_counter_group_value_13);
-      raster_place_group_choice_22 := 1 when raster_place_group_choice_18 and raster_place_group_choice_21 and
-        raster_place_group_differs_5 and raster_place_next_frame else (raster_place_group + 1) mod 32;
-      raster_place_group_choice_23 := raster_place_group_choice_22 when raster_place_group_choice_15 and
-        raster_place_group_choice_6 and raster_place_group_choice_9 and raster_place_group_differs_3 and
-        raster_place_group_differs_4 and transform_filtering_2_valid else raster_place_group;
+      if raster_place_group_choice_18 and raster_place_group_choice_21 and raster_place_group_differs_5 and
+        raster_place_next_frame then
+        raster_place_group_choice_22 := 1;
+      else
+        raster_place_group_choice_22 := (raster_place_group + 1) mod 32;
+      end if;
+      if raster_place_group_choice_15 and raster_place_group_choice_6 and raster_place_group_choice_9 and
+        raster_place_group_differs_3 and raster_place_group_differs_4 and transform_filtering_2_valid then
+        raster_place_group_choice_23 := raster_place_group_choice_22;
+      else
+        raster_place_group_choice_23 := raster_place_group;
+      end if;
       raster_place_next_frame_all := raster_place_group_choice_6 and raster_place_group_choice_9 and
         raster_place_group_differs_3 and raster_place_group_differs_4;
-      raster_place_next_frame_choice := (not raster_place_next_frame_all) and raster_place_next_frame when
-        raster_place_group_choice_15 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_choice_18 and
-        raster_place_group_choice_21 and raster_place_group_differs_5 else raster_place_next_frame;
-      raster_place_next_frame_choice_3 := transform_filtering_2_valid when raster_place_group_all else
-        transform_filtering_2_valid and (not transform_filtering_2_start_of_frame);
-      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
-        (not ((raster_place_group / 16) = 1)) and raster_place_group_differs and raster_place_group_choice_3 and
-        raster_place_group_differs_2 and raster_place_group_choice_6 and raster_place_group_choice_9 and
-        raster_place_group_differs_3 and raster_place_group_differs_4 and transform_filtering_2_valid and
-        transform_filtering_2_start_of_frame;
+      if raster_place_group_choice_15 then
+        raster_place_next_frame_choice := (not raster_place_next_frame_all) and raster_place_next_frame;
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_choice_18 and raster_place_group_choice_21 and raster_place_group_differs_5 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
+      if raster_place_group_all then
+        raster_place_next_frame_choice_3 := transform_filtering_2_valid;
+      else
+        raster_place_next_frame_choice_3 := transform_filtering_2_valid and (not transform_filtering_2_start_of_frame);
+      end if;
+      if raster_place_next_frame_choice_2 then
+        raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3;
+      else
+        raster_place_next_frame_choice_4 := (not ((raster_place_group / 16) = 1)) and raster_place_group_differs and
+          raster_place_group_choice_3 and raster_place_group_differs_2 and raster_place_group_choice_6 and
+          raster_place_group_choice_9 and raster_place_group_differs_3 and raster_place_group_differs_4 and
+          transform_filtering_2_valid and transform_filtering_2_start_of_frame;
+      end if;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_2_valid;
-      raster_place_group <= raster_place_group_choice_10 when transform_filtering_2_valid and
-        transform_filtering_2_start_of_frame else raster_place_group_choice_23;
       raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_2_valid) and
         raster_place_next_frame);
+      if transform_filtering_2_valid and transform_filtering_2_start_of_frame then
+        raster_place_group <= raster_place_group_choice_10;
+      else
+        raster_place_group <= raster_place_group_choice_23;
+      end if;
       if transform_filtering_2_valid then
-        raster_place_column <= 0 when raster_place_next_frame_all or transform_filtering_2_start_of_frame else
-          (raster_place_column + 1) mod 64;
+        if raster_place_next_frame_all or transform_filtering_2_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 64;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 3 else (delay_ring_read_address + 1) mod 4;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 3 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 4;
+        end if;
       end if;
-      delay_row_inside_0_choice := ((raster_place_column / 2) mod 8) = 0 when (raster_place_column mod 2) = 1 else
-        ((raster_place_column / 4) mod 4) = 0;
+      if (raster_place_column mod 2) = 1 then
+        delay_row_inside_0_choice := ((raster_place_column / 2) mod 8) = 0;
+      else
+        delay_row_inside_0_choice := ((raster_place_column / 4) mod 4) = 0;
+      end if;
       delay_row_inside_0_all := delay_row_inside_0_choice and raster_place_group_is_equal;
       delay_row_inside_0_value := ((delay_column / 16) mod 2) = 1;
-      delay_row_inside_0_choice_2 := transform_counter_group_is_equal_5 when delay_row_inside_0_value else
-        transform_counter_group_is_equal_6;
-      delay_row_inside_0_choice_3 := transform_counter_group_is_equal_7 when delay_row_inside_0_value else
-        transform_counter_group_is_equal_8;
-      delay_row_inside_0_choice_4 := delay_row_inside_0_choice_2 when (delay_column / 32) = 1 else
-        delay_row_inside_0_choice_3;
+      if delay_row_inside_0_value then
+        delay_row_inside_0_choice_2 := transform_counter_group_is_equal_5;
+      else
+        delay_row_inside_0_choice_2 := transform_counter_group_is_equal_6;
+      end if;
+      if delay_row_inside_0_value then
+        delay_row_inside_0_choice_3 := transform_counter_group_is_equal_7;
+      else
+        delay_row_inside_0_choice_3 := transform_counter_group_is_equal_8;
+      end if;
+      if (delay_column / 32) = 1 then
+        delay_row_inside_0_choice_4 := delay_row_inside_0_choice_2;
+      else
+        delay_row_inside_0_choice_4 := delay_row_inside_0_choice_3;
+      end if;
       delay_row_inside_0_value_2 := ((delay_column / 2) mod 2) = 1;
-      delay_row_inside_0_choice_5 := transform_counter_group_is_equal_9 when delay_row_inside_0_value_2 else
-        transform_counter_group_is_equal_11;
-      delay_row_inside_0_choice_6 := transform_counter_group_is_equal_10 when delay_row_inside_0_value_2 else
-        transform_counter_group_is_equal_12;
-      delay_row_inside_0_choice_7 := delay_row_inside_0_choice_5 when ((delay_column / 4) mod 2) = 1 else
-        delay_row_inside_0_choice_6;
+      if delay_row_inside_0_value_2 then
+        delay_row_inside_0_choice_5 := transform_counter_group_is_equal_9;
+      else
+        delay_row_inside_0_choice_5 := transform_counter_group_is_equal_11;
+      end if;
+      if delay_row_inside_0_value_2 then
+        delay_row_inside_0_choice_6 := transform_counter_group_is_equal_10;
+      else
+        delay_row_inside_0_choice_6 := transform_counter_group_is_equal_12;
+      end if;
+      if ((delay_column / 4) mod 2) = 1 then
+        delay_row_inside_0_choice_7 := delay_row_inside_0_choice_5;
+      else
+        delay_row_inside_0_choice_7 := delay_row_inside_0_choice_6;
+      end if;
       delay_row_inside_0_is_equal := raster_place_column = 0;
-      delay_row_inside_0_choice_8 := (not (delay_row_inside_0_choice_7 and (((delay_column mod 2) = 1) /= (not
-        ((size_windows_last_column mod 2) = 1))))) and delay_row_inside_0_is_equal and raster_features_valid when
-        delay_row_inside_0_choice_4 and ((((delay_column / 8) mod 2) = 1) /= (not transform_counter_group_value_9))
-        else delay_row_inside_0_is_equal and raster_features_valid;
+      if delay_row_inside_0_choice_4 and ((((delay_column / 8) mod 2) = 1) /= (not transform_counter_group_value_9))
+        then
+        delay_row_inside_0_choice_8 := (not (delay_row_inside_0_choice_7 and (((delay_column mod 2) = 1) /= (not
+          ((size_windows_last_column mod 2) = 1))))) and delay_row_inside_0_is_equal and raster_features_valid;
+      else
+        delay_row_inside_0_choice_8 := delay_row_inside_0_is_equal and raster_features_valid;
+      end if;
       delay_row_inside_0_all_2 := (not delay_row_inside_0_choice_8) and delay_split_inside_before_0;
       delay_row_inside_0_differs := (raster_place_group / 2) /= 0;
       delay_row_inside_0_difference := raster_place_group - size_windows_groups;
       delay_row_inside_0_all_3 := delay_row_inside_0_differs and (delay_row_inside_0_difference < 2);
       delay_row_inside_1_all := (not delay_row_inside_0_choice_8) and delay_split_output_before;
       delay_row_inside_1_is_less := delay_row_inside_0_difference < 1;
-      delay_row_inside_1_choice := delay_row_inside_1_is_less and ((raster_place_group mod 2) = 1) when
-        (raster_place_group / 2) = 0 else delay_row_inside_1_is_less;
+      if (raster_place_group / 2) = 0 then
+        delay_row_inside_1_choice := delay_row_inside_1_is_less and ((raster_place_group mod 2) = 1);
+      else
+        delay_row_inside_1_choice := delay_row_inside_1_is_less;
+      end if;
       delay_row_inside_2_all := (not delay_row_inside_0_choice_8) and delay_split_inside_before_2;
       delay_row_inside_2_is_less := delay_row_inside_0_difference < 0;
       delay_tag_map_column_is_not_less := (raster_place_column - other_15) >= 0;
-      delay_tag_map_column_choice := delay_tag_map_column_is_not_less or (not ((raster_place_column / 32) = 1)) when
-        other_14 else delay_tag_map_column_is_not_less and (not ((raster_place_column / 32) = 1));
-      delay_tag_map_column_choice_2 := delay_tag_map_column_choice when ((raster_place_column / 2) mod 16) = 0 else
-        other_14 and delay_tag_map_column_is_not_less;
+      if other_14 then
+        delay_tag_map_column_choice := delay_tag_map_column_is_not_less or (not ((raster_place_column / 32) = 1));
+      else
+        delay_tag_map_column_choice := delay_tag_map_column_is_not_less and (not ((raster_place_column / 32) = 1));
+      end if;
+      if ((raster_place_column / 2) mod 16) = 0 then
+        delay_tag_map_column_choice_2 := delay_tag_map_column_choice;
+      else
+        delay_tag_map_column_choice_2 := other_14 and delay_tag_map_column_is_not_less;
+      end if;
       delay_tag_map_column_all := (not delay_row_inside_0_choice_8) and delay_split_whole_before;
       delay_tag_map_column_any := (not delay_row_inside_0_all) or delay_tag_map_column_all;
       delay_tag_output_column_all := (not delay_row_inside_0_choice_8) and delay_split_inside_before_1;
       delay_tag_output_column_any := delay_row_inside_0_differs or ((raster_place_group mod 2) = 1);
       delay_tag_output_column_all_2 := raster_place_group_choice_15 and delay_tag_output_column_any;
-      delay_tag_output_column_choice := delay_tag_output_column_all_2 or delay_row_inside_0_all when
-        delay_tag_output_column_all else raster_place_group_choice_15 and delay_tag_output_column_any and (not
-        delay_row_inside_0_all);
+      if delay_tag_output_column_all then
+        delay_tag_output_column_choice := delay_tag_output_column_all_2 or delay_row_inside_0_all;
+      else
+        delay_tag_output_column_choice := raster_place_group_choice_15 and delay_tag_output_column_any and (not
+          delay_row_inside_0_all);
+      end if;
       delay_tag_first_column_is_equal := raster_place_column = other_15;
-      delay_tag_first_column_choice := (not delay_row_inside_0_choice_8) and delay_tag_first_column_is_equal and
-        delay_split_whole_before when delay_row_inside_0_all else delay_tag_first_column_is_equal;
+      if delay_row_inside_0_all then
+        delay_tag_first_column_choice := (not delay_row_inside_0_choice_8) and delay_tag_first_column_is_equal and
+          delay_split_whole_before;
+      else
+        delay_tag_first_column_choice := delay_tag_first_column_is_equal;
+      end if;
       delay_tag_start_of_frame_all := (not delay_row_inside_0_choice_8) and delay_split_start_before;
       delay_tag_start_of_frame_is_equal := raster_place_group = 1;
-      delay_tag_start_of_frame_choice := delay_tag_start_of_frame_all when delay_row_inside_0_all else
-        delay_tag_start_of_frame_is_equal;
+      if delay_row_inside_0_all then
+        delay_tag_start_of_frame_choice := delay_tag_start_of_frame_all;
+      else
+        delay_tag_start_of_frame_choice := delay_tag_start_of_frame_is_equal;
+      end if;
       delay_split_inside_before_0_all := raster_place_group_choice_6 and raster_place_group_choice_9 and
         raster_place_group_differs_3 and raster_place_group_differs_4 and raster_features_valid;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= delay_row_inside_0_all_2 when delay_row_inside_0_all else delay_row_inside_0_all_3;
-      delay_row_inside_1 <= delay_row_inside_1_all when delay_row_inside_0_all else delay_row_inside_1_choice;
-      delay_row_inside_2 <= delay_row_inside_2_all when delay_row_inside_0_all else delay_row_inside_2_is_less;
       delay_tag_valid <= raster_features_valid;
       delay_tag_map_column <= delay_tag_map_column_choice_2 and delay_tag_map_column_any;
       delay_tag_output_column <= delay_tag_map_column_choice_2 and delay_tag_map_column_any and
@@ -1078,20 +1379,38 @@ begin
       delay_split_search_inside_0 <= delay_row_inside_0_all_3;
       delay_split_search_inside_1 <= delay_row_inside_1_choice;
       delay_split_search_inside_2 <= delay_row_inside_2_is_less;
-      delay_split_inside_before_0 <= delay_row_inside_0_all_3 when delay_split_inside_before_0_all else
-        delay_row_inside_0_all_2;
-      delay_split_inside_before_1 <= delay_split_inside_before_0_all or delay_tag_output_column_all when
-        delay_tag_output_column_all_2 else (not delay_split_inside_before_0_all) and (not delay_row_inside_0_choice_8)
-        and delay_split_inside_before_1;
-      delay_split_inside_before_2 <= delay_row_inside_2_is_less when delay_split_inside_before_0_all else
-        delay_row_inside_2_all;
-      delay_split_output_before <= delay_row_inside_1_choice when delay_split_inside_before_0_all else
-        delay_row_inside_1_all;
-      delay_split_start_before <= (not delay_split_inside_before_0_all) or delay_tag_start_of_frame_is_equal when
-        delay_tag_start_of_frame_all else raster_place_group_choice_6 and raster_place_group_choice_9 and
-        raster_place_group_differs_3 and raster_place_group_differs_4 and raster_features_valid and
-        delay_tag_start_of_frame_is_equal;
       delay_split_whole_before <= delay_split_inside_before_0_all or delay_tag_map_column_all;
+      if delay_row_inside_0_all then
+        delay_row_inside_0 <= delay_row_inside_0_all_2;
+        delay_row_inside_1 <= delay_row_inside_1_all;
+        delay_row_inside_2 <= delay_row_inside_2_all;
+      else
+        delay_row_inside_0 <= delay_row_inside_0_all_3;
+        delay_row_inside_1 <= delay_row_inside_1_choice;
+        delay_row_inside_2 <= delay_row_inside_2_is_less;
+      end if;
+      if delay_split_inside_before_0_all then
+        delay_split_inside_before_0 <= delay_row_inside_0_all_3;
+        delay_split_inside_before_2 <= delay_row_inside_2_is_less;
+        delay_split_output_before <= delay_row_inside_1_choice;
+      else
+        delay_split_inside_before_0 <= delay_row_inside_0_all_2;
+        delay_split_inside_before_2 <= delay_row_inside_2_all;
+        delay_split_output_before <= delay_row_inside_1_all;
+      end if;
+      if delay_tag_output_column_all_2 then
+        delay_split_inside_before_1 <= delay_split_inside_before_0_all or delay_tag_output_column_all;
+      else
+        delay_split_inside_before_1 <= (not delay_split_inside_before_0_all) and (not delay_row_inside_0_choice_8) and
+          delay_split_inside_before_1;
+      end if;
+      if delay_tag_start_of_frame_all then
+        delay_split_start_before <= (not delay_split_inside_before_0_all) or delay_tag_start_of_frame_is_equal;
+      else
+        delay_split_start_before <= raster_place_group_choice_6 and raster_place_group_choice_9 and
+          raster_place_group_differs_3 and raster_place_group_differs_4 and raster_features_valid and
+          delay_tag_start_of_frame_is_equal;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -1125,12 +1444,6 @@ begin
       rows_ready_search_inside_0 <= rows_read_search_inside_0;
       rows_ready_search_inside_1 <= rows_read_search_inside_1;
       rows_ready_search_inside_2 <= rows_read_search_inside_2;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 128 when rows_ready_search_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_0 / 128 when rows_ready_search_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_search_inside_2 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_0 / 128 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
       rows_inside_0 <= rows_ready_inside_0;
       rows_inside_1 <= rows_ready_inside_1;
       rows_inside_2 <= rows_ready_inside_2;
@@ -1140,6 +1453,36 @@ begin
       rows_tag_first_column <= rows_ready_tag_first_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_search_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 128;
+      else
+        rows_search_0 <= 0;
+      end if;
+      if rows_ready_search_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_0 / 128;
+      else
+        rows_search_1 <= 0;
+      end if;
+      if rows_ready_search_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_newest_0;
+      else
+        rows_search_2 <= 0;
+      end if;
+      if rows_ready_inside_0 then
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128;
+      else
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_reference_1 <= rows_reference_rows_ready_words_0 / 128;
+      else
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_reference_2 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 128) + (rows_search_rows_ready_newest_0 *
           128);
@@ -1239,56 +1582,96 @@ begin
       slice0window_tag_output_column <= slice0window_centre_output_column_0;
       slice0window_tag_first_column <= slice1cost_tag_first_column;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
-      slice0window_tag_first_group_choice := slice0window_tag_output_column when slice0window_tag_first_column else
-        slice0window_tag_output_column and ((slice0window_sum_0_2 - slice0other_cost_0_1) < 0);
+      if slice0window_tag_first_column then
+        slice0window_tag_first_group_choice := slice0window_tag_output_column;
+      else
+        slice0window_tag_first_group_choice := slice0window_tag_output_column and ((slice0window_sum_0_2 -
+          slice0other_cost_0_1) < 0);
+      end if;
       slice0window_tag_first_group_all := slice0mask_searched_0 and slice0mask_inside_2 and
         slice0window_tag_first_group_choice;
-      slice0window_tag_first_cost_choice := slice0window_tag_output_column when (slice0window_sum_0_1 -
-        slice0other_cost_0_0) < 0 else slice0window_tag_first_column and slice0window_tag_output_column;
+      if (slice0window_sum_0_1 - slice0other_cost_0_0) < 0 then
+        slice0window_tag_first_cost_choice := slice0window_tag_output_column;
+      else
+        slice0window_tag_first_cost_choice := slice0window_tag_first_column and slice0window_tag_output_column;
+      end if;
       slice0window_tag_first_cost_all := slice0mask_searched_1 and slice0mask_inside_1 and
         slice0window_tag_first_cost_choice;
       if slice0window_tag_valid then
-        slice0window_tag_first_group <= 2 when slice0window_tag_first_group_all else
-          as_number(slice0window_tag_first_cost);
         slice0window_tag_first_cost <= slice0window_tag_first_cost_all;
         slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
+        if slice0window_tag_first_group_all then
+          slice0window_tag_first_group <= 2;
+        else
+          slice0window_tag_first_group <= as_number(slice0window_tag_first_cost);
+        end if;
       end if;
       -- slice0mask
-      slice0mask_inside_0_choice := not (((slice0mask_end_value / 2) mod 2) = 1) when (slice0mask_column mod 2) = 1
-        else (slice0mask_end_value mod 4) = 0;
-      slice0mask_inside_0_choice_2 := ((slice0mask_column mod 2) = 1) or (not (((slice0mask_end_value / 2) mod 2) = 1))
-        or (not ((slice0mask_end_value mod 2) = 1)) when ((slice0mask_column / 2) mod 2) = 1 else
-        slice0mask_inside_0_choice;
+      if (slice0mask_column mod 2) = 1 then
+        slice0mask_inside_0_choice := not (((slice0mask_end_value / 2) mod 2) = 1);
+      else
+        slice0mask_inside_0_choice := (slice0mask_end_value mod 4) = 0;
+      end if;
+      if ((slice0mask_column / 2) mod 2) = 1 then
+        slice0mask_inside_0_choice_2 := ((slice0mask_column mod 2) = 1) or (not (((slice0mask_end_value / 2) mod 2) =
+          1)) or (not ((slice0mask_end_value mod 2) = 1));
+      else
+        slice0mask_inside_0_choice_2 := slice0mask_inside_0_choice;
+      end if;
       slice0mask_inside_0_value := ((slice0mask_end_value / 4) mod 2) = 1;
-      slice0mask_inside_0_choice_3 := (not (((slice0mask_column / 4) mod 2) = 1)) and slice0mask_inside_0_value when
-        slice0mask_inside_0_choice_2 else (not (((slice0mask_column / 4) mod 2) = 1)) or slice0mask_inside_0_value;
+      if slice0mask_inside_0_choice_2 then
+        slice0mask_inside_0_choice_3 := (not (((slice0mask_column / 4) mod 2) = 1)) and slice0mask_inside_0_value;
+      else
+        slice0mask_inside_0_choice_3 := (not (((slice0mask_column / 4) mod 2) = 1)) or slice0mask_inside_0_value;
+      end if;
       slice0mask_inside_0_value_2 := ((slice0mask_end_value / 8) mod 2) = 1;
-      slice0mask_inside_0_choice_4 := (not (((slice0mask_column / 8) mod 2) = 1)) or slice0mask_inside_0_value_2 when
-        slice0mask_inside_0_choice_3 else (not (((slice0mask_column / 8) mod 2) = 1)) and slice0mask_inside_0_value_2;
+      if slice0mask_inside_0_choice_3 then
+        slice0mask_inside_0_choice_4 := (not (((slice0mask_column / 8) mod 2) = 1)) or slice0mask_inside_0_value_2;
+      else
+        slice0mask_inside_0_choice_4 := (not (((slice0mask_column / 8) mod 2) = 1)) and slice0mask_inside_0_value_2;
+      end if;
       slice0mask_inside_0_value_3 := ((slice0mask_end_value / 16) mod 2) = 1;
-      slice0mask_inside_0_choice_5 := (not (((slice0mask_column / 16) mod 2) = 1)) or slice0mask_inside_0_value_3 when
-        slice0mask_inside_0_choice_4 else (not (((slice0mask_column / 16) mod 2) = 1)) and slice0mask_inside_0_value_3;
-      slice0mask_inside_0_choice_6 := not slice1cost_tag_first_column when (slice0mask_column / 32) = 1 else (not
-        ((slice0mask_end_value / 32) = 1)) and (not slice1cost_tag_first_column);
-      slice0mask_inside_0_choice_7 := ((slice0mask_column / 32) = 1) and (not ((slice0mask_end_value / 32) = 1)) and
-        (not slice1cost_tag_first_column) when slice0mask_inside_0_choice_5 else slice0mask_inside_0_choice_6;
-      slice0mask_inside_1_choice := slice0mask_inside_0 when slice0cost_tag_valid else slice0mask_inside_1;
-      slice0mask_inside_2_choice := slice0mask_inside_1 when slice0cost_tag_valid else slice0mask_inside_2;
+      if slice0mask_inside_0_choice_4 then
+        slice0mask_inside_0_choice_5 := (not (((slice0mask_column / 16) mod 2) = 1)) or slice0mask_inside_0_value_3;
+      else
+        slice0mask_inside_0_choice_5 := (not (((slice0mask_column / 16) mod 2) = 1)) and slice0mask_inside_0_value_3;
+      end if;
+      if (slice0mask_column / 32) = 1 then
+        slice0mask_inside_0_choice_6 := not slice1cost_tag_first_column;
+      else
+        slice0mask_inside_0_choice_6 := (not ((slice0mask_end_value / 32) = 1)) and (not slice1cost_tag_first_column);
+      end if;
+      if slice0mask_inside_0_choice_5 then
+        slice0mask_inside_0_choice_7 := ((slice0mask_column / 32) = 1) and (not ((slice0mask_end_value / 32) = 1)) and
+          (not slice1cost_tag_first_column);
+      else
+        slice0mask_inside_0_choice_7 := slice0mask_inside_0_choice_6;
+      end if;
+      if slice0cost_tag_valid then
+        slice0mask_inside_1_choice := slice0mask_inside_0;
+      else
+        slice0mask_inside_1_choice := slice0mask_inside_1;
+      end if;
+      if slice0cost_tag_valid then
+        slice0mask_inside_2_choice := slice0mask_inside_1;
+      else
+        slice0mask_inside_2_choice := slice0mask_inside_2;
+      end if;
       slice0mask_searched_0_all := slice1cost_tag_start_of_frame and slice0window_centre_output_column_0 and
         slice0cost_tag_valid;
       slice0mask_searched_1_is_equal := (settings_first_disparity / 2) = 0;
-      slice0mask_searched_1_choice := ((settings_last_disparity mod 16) /= 0) and slice0mask_searched_1_is_equal and
-        slice1cost_tag_start_of_frame and slice0window_centre_output_column_0 and slice0cost_tag_valid when
-        (settings_last_disparity / 16) = 0 else slice0mask_searched_1_is_equal and slice1cost_tag_start_of_frame and
-        slice0window_centre_output_column_0 and slice0cost_tag_valid;
-      slice0mask_searched_2_choice := (settings_first_disparity mod 16) = 0 when slice0mask_searched_0_all else
-        slice0mask_searched_2;
-      slice0mask_inside_0 <= slice0mask_inside_0 and (not slice0cost_tag_valid) when slice0mask_inside_0_choice_7 else
-        slice0mask_inside_0 or slice0cost_tag_valid;
-      slice0mask_inside_1 <= slice0mask_inside_1 or slice0cost_tag_valid when slice1cost_tag_first_column else
-        slice0mask_inside_1_choice;
-      slice0mask_inside_2 <= slice0mask_inside_2 or slice0cost_tag_valid when slice1cost_tag_first_column else
-        slice0mask_inside_2_choice;
+      if (settings_last_disparity / 16) = 0 then
+        slice0mask_searched_1_choice := ((settings_last_disparity mod 16) /= 0) and slice0mask_searched_1_is_equal and
+          slice1cost_tag_start_of_frame and slice0window_centre_output_column_0 and slice0cost_tag_valid;
+      else
+        slice0mask_searched_1_choice := slice0mask_searched_1_is_equal and slice1cost_tag_start_of_frame and
+          slice0window_centre_output_column_0 and slice0cost_tag_valid;
+      end if;
+      if slice0mask_searched_0_all then
+        slice0mask_searched_2_choice := (settings_first_disparity mod 16) = 0;
+      else
+        slice0mask_searched_2_choice := slice0mask_searched_2;
+      end if;
       slice0mask_left_out <= slice0mask_inside_2;
       slice0mask_end_value <= (size_windows_last_column + 59) mod 64;
       slice0mask_searched_0 <= (((not (((settings_first_disparity / 2) mod 2) = 1)) or (not ((settings_first_disparity
@@ -1297,49 +1680,102 @@ begin
         slice0mask_searched_0_all) and slice0mask_searched_0);
       slice0mask_searched_1 <= slice0mask_searched_1_choice or ((not slice0mask_searched_0_all) and
         slice0mask_searched_1);
-      slice0mask_searched_2 <= slice0mask_searched_2_choice when (settings_first_disparity / 16) = 0 else (not
-        slice0mask_searched_0_all) and slice0mask_searched_2;
+      if slice0mask_inside_0_choice_7 then
+        slice0mask_inside_0 <= slice0mask_inside_0 and (not slice0cost_tag_valid);
+      else
+        slice0mask_inside_0 <= slice0mask_inside_0 or slice0cost_tag_valid;
+      end if;
+      if slice1cost_tag_first_column then
+        slice0mask_inside_1 <= slice0mask_inside_1 or slice0cost_tag_valid;
+        slice0mask_inside_2 <= slice0mask_inside_2 or slice0cost_tag_valid;
+      else
+        slice0mask_inside_1 <= slice0mask_inside_1_choice;
+        slice0mask_inside_2 <= slice0mask_inside_2_choice;
+      end if;
+      if (settings_first_disparity / 16) = 0 then
+        slice0mask_searched_2 <= slice0mask_searched_2_choice;
+      else
+        slice0mask_searched_2 <= (not slice0mask_searched_0_all) and slice0mask_searched_2;
+      end if;
       if slice0cost_tag_valid then
-        slice0mask_column <= 0 when slice1cost_tag_first_column else (slice0mask_column + 1) mod 64;
+        if slice1cost_tag_first_column then
+          slice0mask_column <= 0;
+        else
+          slice0mask_column <= (slice0mask_column + 1) mod 64;
+        end if;
       end if;
       -- slice0other
-      slice0other_cost_0_1_choice := 1023 when slice0window_tag_first_column else slice0other_cost_0_0;
-      slice0other_cost_0_2_choice := 1023 when slice0window_tag_first_column else slice0other_cost_0_1;
+      if slice0window_tag_first_column then
+        slice0other_cost_0_1_choice := 1023;
+      else
+        slice0other_cost_0_1_choice := slice0other_cost_0_0;
+      end if;
+      if slice0window_tag_first_column then
+        slice0other_cost_0_2_choice := 1023;
+      else
+        slice0other_cost_0_2_choice := slice0other_cost_0_1;
+      end if;
       if slice0window_tag_valid then
-        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0window_tag_output_column and slice0mask_searched_2 and
-          slice0mask_inside_0 else 1023;
-        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0window_tag_first_cost_all else
-          slice0other_cost_0_1_choice;
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0window_tag_first_group_all else
-          slice0other_cost_0_2_choice;
+        if slice0window_tag_output_column and slice0mask_searched_2 and slice0mask_inside_0 then
+          slice0other_cost_0_0 <= slice0window_sum_0_0;
+        else
+          slice0other_cost_0_0 <= 1023;
+        end if;
+        if slice0window_tag_first_cost_all then
+          slice0other_cost_0_1 <= slice0window_sum_0_1;
+        else
+          slice0other_cost_0_1 <= slice0other_cost_0_1_choice;
+        end if;
+        if slice0window_tag_first_group_all then
+          slice0other_cost_0_2 <= slice0window_sum_0_2;
+        else
+          slice0other_cost_0_2 <= slice0other_cost_0_2_choice;
+        end if;
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0_2;
       slice0other_winner_out <= slice0window_tag_first_group;
       -- slice0winner1
-      slice0winner1_held_0_0_choice := 1023 when (not slice0mask_searched_2) or (not slice0mask_inside_0) else 0;
+      if (not slice0mask_searched_2) or (not slice0mask_inside_0) then
+        slice0winner1_held_0_0_choice := 1023;
+      else
+        slice0winner1_held_0_0_choice := 0;
+      end if;
       slice0winner1_held_0_0_any := to_integer(((to_unsigned(slice0winner1_held_0_0_choice, 10)) or
         (to_unsigned(slice0window_sum_0_0, 10))));
-      slice0winner1_held_0_1_choice := 1023 when (not slice0mask_searched_1) or (not slice0mask_inside_1) else 0;
+      if (not slice0mask_searched_1) or (not slice0mask_inside_1) then
+        slice0winner1_held_0_1_choice := 1023;
+      else
+        slice0winner1_held_0_1_choice := 0;
+      end if;
       slice0winner1_held_0_1_any := to_integer(((to_unsigned(slice0winner1_held_0_1_choice, 10)) or
         (to_unsigned(slice0window_sum_0_1, 10))));
-      slice0winner1_held_0_2_choice := 1023 when (not slice0mask_searched_0) or (not slice0mask_inside_2) else 0;
+      if (not slice0mask_searched_0) or (not slice0mask_inside_2) then
+        slice0winner1_held_0_2_choice := 1023;
+      else
+        slice0winner1_held_0_2_choice := 0;
+      end if;
       slice0winner1_best_cost_0_0_is_less := (slice0winner1_held_0_1_any - slice0winner1_held_0_0_any) < 0;
       slice0winner1_held_0_0 <= slice0winner1_held_0_0_any;
       slice0winner1_held_0_1 <= slice0winner1_held_0_1_any;
       slice0winner1_held_0_2 <= to_integer(((to_unsigned(slice0winner1_held_0_2_choice, 10)) or
         (to_unsigned(slice0window_sum_0_2, 10))));
-      slice0winner1_best_cost_0_0 <= slice0winner1_held_0_1_any when slice0winner1_best_cost_0_0_is_less else
-        slice0winner1_held_0_0_any;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
       slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_below_0_0 <= slice0winner1_held_0_0_any when slice0winner1_best_cost_0_0_is_less else 0;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0winner1_held_0_1_any;
       slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
       slice0winner1_best_late_cost_0_1 <= slice0winner1_held_0_2;
       slice0winner1_best_but_last_0_0 <= slice0winner1_held_0_0;
       slice0winner1_tag_valid <= slice0window_tag_valid;
       slice0winner1_tag_output_column <= slice1window_centre_output_column_0;
       slice0winner1_tag_first_column <= slice1window_centre_first_column_0;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0winner1_held_0_1_any;
+        slice0winner1_best_below_0_0 <= slice0winner1_held_0_0_any;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_cost_0_0 <= slice0winner1_held_0_0_any;
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0winner1_held_0_1_any;
+      end if;
       if slice0winner1_tag_valid then
         slice0winner1_tag_map_column <= slice0window_tag_map_column;
         slice0winner1_tag_start_of_frame <= slice1window_centre_start_of_frame_0;
@@ -1347,37 +1783,58 @@ begin
       end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_held_0_2 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1 when (not slice0winner2_best_at_end_0_0)
-        and (not slice0winner2_best_at_start_0_0) else 1023;
-      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_at_start_0_0
-        else 1023;
-      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0 when slice0winner2_best_place_0_0 else
-        slice0winner2_best_second_0_0_choice_2;
-      slice0winner2_best_cost_0_0 <= slice0winner1_held_0_2 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_below_0_0 <= slice0winner1_held_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_below_0_0;
-      slice0winner2_best_above_0_0 <= 0 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner2_best_above_0_0_choice;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
+      if (not slice0winner2_best_at_end_0_0) and (not slice0winner2_best_at_start_0_0) then
+        slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1;
+      else
+        slice0winner2_best_second_0_0_choice := 1023;
+      end if;
+      if slice0winner2_best_at_start_0_0 then
+        slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_2 := 1023;
+      end if;
+      if slice0winner2_best_place_0_0 then
+        slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_3 := slice0winner2_best_second_0_0_choice_2;
+      end if;
       slice0winner2_best_place_0_0 <= slice0winner2_best_cost_0_0_is_less and transform_read_column_inside_1;
       slice0winner2_best_at_start_0_0 <= slice0winner2_best_cost_0_0_is_less;
       slice0winner2_best_at_end_0_0 <= slice0winner1_best_index_0_0 and ((slice0winner1_held_0_2 -
         slice0winner1_best_cost_0_0) >= 0);
       slice0winner2_best_late_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice when (slice0winner2_best_second_0_0_choice
-        - slice0winner2_best_second_0_0_choice_3) < 0 else slice0winner2_best_second_0_0_choice_3;
-      slice0winner2_best_but_last_0_0 <= slice0winner1_best_late_cost_0_0 when slice0winner1_best_late_cost_0_0 < 1023
-        else 1023;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_output_column <= slice1window_tag_output_column;
       slice0winner2_tag_first_column <= slice1window_tag_first_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_held_0_2;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner1_held_0_1;
+        slice0winner2_best_above_0_0 <= 0;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      end if;
+      if (slice0winner2_best_second_0_0_choice - slice0winner2_best_second_0_0_choice_3) < 0 then
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice;
+      else
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_3;
+      end if;
+      if slice0winner1_best_late_cost_0_0 < 1023 then
+        slice0winner2_best_but_last_0_0 <= slice0winner1_best_late_cost_0_0;
+      else
+        slice0winner2_best_but_last_0_0 <= 1023;
+      end if;
       -- slice0
       slice0_best_index_0_0 <= slice0winner2_best_index_0_0;
       slice0_best_below_0_0 <= slice0winner2_best_below_0_0;
@@ -1462,131 +1919,249 @@ begin
         slice1window_tag_first_column <= slice2cost_tag_first_column;
       end if;
       -- slice1mask
-      slice1mask_inside_0_choice := slice1window_centre_first_column_0 when slice0window_tag_valid else
-        slice1mask_inside_0;
-      slice1mask_inside_1_choice := slice1mask_inside_0 when slice0window_tag_valid else slice1mask_inside_1;
-      slice1mask_inside_2_choice := slice1mask_inside_1 when slice0window_tag_valid else slice1mask_inside_2;
-      slice1mask_inside_0 <= slice0window_tag_valid or slice1mask_inside_0 when slice0mask_left_out else
-        slice1mask_inside_0_choice;
-      slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1 when
-        slice1window_centre_first_column_0 else slice1mask_inside_1_choice;
-      slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2 when
-        slice1window_centre_first_column_0 else slice1mask_inside_2_choice;
+      if slice0window_tag_valid then
+        slice1mask_inside_0_choice := slice1window_centre_first_column_0;
+      else
+        slice1mask_inside_0_choice := slice1mask_inside_0;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_1_choice := slice1mask_inside_0;
+      else
+        slice1mask_inside_1_choice := slice1mask_inside_1;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_2_choice := slice1mask_inside_1;
+      else
+        slice1mask_inside_2_choice := slice1mask_inside_2;
+      end if;
       slice1mask_left_out <= slice1mask_inside_2;
+      if slice0mask_left_out then
+        slice1mask_inside_0 <= slice0window_tag_valid or slice1mask_inside_0;
+      else
+        slice1mask_inside_0 <= slice1mask_inside_0_choice;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1;
+        slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2;
+      else
+        slice1mask_inside_1 <= slice1mask_inside_1_choice;
+        slice1mask_inside_2 <= slice1mask_inside_2_choice;
+      end if;
       -- slice1other
       slice1other_cost_0_0_all := slice0winner1_tag_output_column and slice0winner1_tag_first_column;
-      slice1other_cost_0_0_choice := slice0winner1_tag_output_column when (slice1window_sum_0_0 -
-        slice0other_cost_out_0) < 0 else slice1other_cost_0_0_all;
+      if (slice1window_sum_0_0 - slice0other_cost_out_0) < 0 then
+        slice1other_cost_0_0_choice := slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_0_choice := slice1other_cost_0_0_all;
+      end if;
       slice1other_cost_0_0_all_2 := other_13 and slice1mask_inside_0 and slice1other_cost_0_0_choice;
-      slice1other_cost_0_0_choice_2 := 1023 when slice0winner1_tag_first_column else slice0other_cost_out_0;
-      slice1other_cost_0_1_choice := slice0winner1_tag_output_column when (slice1window_sum_0_1 - slice1other_cost_0_0)
-        < 0 else slice1other_cost_0_0_all;
+      if slice0winner1_tag_first_column then
+        slice1other_cost_0_0_choice_2 := 1023;
+      else
+        slice1other_cost_0_0_choice_2 := slice0other_cost_out_0;
+      end if;
+      if (slice1window_sum_0_1 - slice1other_cost_0_0) < 0 then
+        slice1other_cost_0_1_choice := slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_1_choice := slice1other_cost_0_0_all;
+      end if;
       slice1other_cost_0_1_all := other_12 and slice1mask_inside_1 and slice1other_cost_0_1_choice;
-      slice1other_cost_0_1_choice_2 := 1023 when slice0winner1_tag_first_column else slice1other_cost_0_0;
+      if slice0winner1_tag_first_column then
+        slice1other_cost_0_1_choice_2 := 1023;
+      else
+        slice1other_cost_0_1_choice_2 := slice1other_cost_0_0;
+      end if;
       slice1other_cost_0_2_all := other_11 and slice1mask_inside_2 and slice0winner1_tag_output_column and
         (((slice1window_sum_0_2 - slice1other_cost_0_1) < 0) or slice0winner1_tag_first_column);
-      slice1other_cost_0_2_choice := 1023 when slice0winner1_tag_first_column else slice1other_cost_0_1;
+      if slice0winner1_tag_first_column then
+        slice1other_cost_0_2_choice := 1023;
+      else
+        slice1other_cost_0_2_choice := slice1other_cost_0_1;
+      end if;
       if slice0winner1_tag_valid then
-        slice1other_cost_0_0 <= slice1window_sum_0_0 when slice1other_cost_0_0_all_2 else slice1other_cost_0_0_choice_2;
-        slice1other_cost_0_1 <= slice1window_sum_0_1 when slice1other_cost_0_1_all else slice1other_cost_0_1_choice_2;
-        slice1other_cost_0_2 <= slice1window_sum_0_2 when slice1other_cost_0_2_all else slice1other_cost_0_2_choice;
-        slice1other_winner_0_0 <= 3 when slice1other_cost_0_0_all_2 else slice0other_winner_out;
-        slice1other_winner_0_1 <= 4 when slice1other_cost_0_1_all else slice1other_winner_0_0;
-        slice1other_winner_0_2 <= 5 when slice1other_cost_0_2_all else slice1other_winner_0_1;
+        if slice1other_cost_0_0_all_2 then
+          slice1other_cost_0_0 <= slice1window_sum_0_0;
+          slice1other_winner_0_0 <= 3;
+        else
+          slice1other_cost_0_0 <= slice1other_cost_0_0_choice_2;
+          slice1other_winner_0_0 <= slice0other_winner_out;
+        end if;
+        if slice1other_cost_0_1_all then
+          slice1other_cost_0_1 <= slice1window_sum_0_1;
+          slice1other_winner_0_1 <= 4;
+        else
+          slice1other_cost_0_1 <= slice1other_cost_0_1_choice_2;
+          slice1other_winner_0_1 <= slice1other_winner_0_0;
+        end if;
+        if slice1other_cost_0_2_all then
+          slice1other_cost_0_2 <= slice1window_sum_0_2;
+          slice1other_winner_0_2 <= 5;
+        else
+          slice1other_cost_0_2 <= slice1other_cost_0_2_choice;
+          slice1other_winner_0_2 <= slice1other_winner_0_1;
+        end if;
       end if;
       slice1other_cost_out_0 <= slice1other_cost_0_2;
       slice1other_winner_out_0 <= slice1other_winner_0_2;
       -- slice1winner1
-      slice1winner1_held_0_0_choice := 1023 when (not other_13) or (not slice1mask_inside_0) else 0;
+      if (not other_13) or (not slice1mask_inside_0) then
+        slice1winner1_held_0_0_choice := 1023;
+      else
+        slice1winner1_held_0_0_choice := 0;
+      end if;
       slice1winner1_held_0_0_any := to_integer(((to_unsigned(slice1winner1_held_0_0_choice, 10)) or
         (to_unsigned(slice1window_sum_0_0, 10))));
-      slice1winner1_held_0_1_choice := 1023 when (not other_12) or (not slice1mask_inside_1) else 0;
+      if (not other_12) or (not slice1mask_inside_1) then
+        slice1winner1_held_0_1_choice := 1023;
+      else
+        slice1winner1_held_0_1_choice := 0;
+      end if;
       slice1winner1_held_0_1_any := to_integer(((to_unsigned(slice1winner1_held_0_1_choice, 10)) or
         (to_unsigned(slice1window_sum_0_1, 10))));
-      slice1winner1_held_0_2_choice := 1023 when (not other_11) or (not slice1mask_inside_2) else 0;
+      if (not other_11) or (not slice1mask_inside_2) then
+        slice1winner1_held_0_2_choice := 1023;
+      else
+        slice1winner1_held_0_2_choice := 0;
+      end if;
       slice1winner1_best_cost_0_0_is_less := (slice1winner1_held_0_1_any - slice1winner1_held_0_0_any) < 0;
       slice1winner1_held_0_0 <= slice1winner1_held_0_0_any;
       slice1winner1_held_0_1 <= slice1winner1_held_0_1_any;
       slice1winner1_held_0_2 <= to_integer(((to_unsigned(slice1winner1_held_0_2_choice, 10)) or
         (to_unsigned(slice1window_sum_0_2, 10))));
-      slice1winner1_best_cost_0_0 <= slice1winner1_held_0_1_any when slice1winner1_best_cost_0_0_is_less else
-        slice1winner1_held_0_0_any;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_below_0_0 <= slice1winner1_held_0_0_any when slice1winner1_best_cost_0_0_is_less else 0;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1winner1_held_0_1_any;
       slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
       slice1winner1_best_late_cost_0_1 <= slice1winner1_held_0_2;
       slice1winner1_best_but_first_0_0 <= slice1winner1_held_0_1;
       slice1winner1_best_but_last_0_0 <= slice1winner1_held_0_0;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1winner1_held_0_1_any;
+        slice1winner1_best_below_0_0 <= slice1winner1_held_0_0_any;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_cost_0_0 <= slice1winner1_held_0_0_any;
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1winner1_held_0_1_any;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_held_0_2 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1 when (not slice1winner2_best_at_end_0_0)
-        and (not slice1winner2_best_at_start_0_0) else 1023;
-      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_at_start_0_0
-        else 1023;
-      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0 when slice1winner2_best_place_0_0 else
-        slice1winner2_best_second_0_0_choice_2;
-      slice1winner2_best_cost_0_0 <= slice1winner1_held_0_2 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_below_0_0 <= slice1winner1_held_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_below_0_0;
-      slice1winner2_best_above_0_0 <= 0 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner2_best_above_0_0_choice;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
+      if (not slice1winner2_best_at_end_0_0) and (not slice1winner2_best_at_start_0_0) then
+        slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1;
+      else
+        slice1winner2_best_second_0_0_choice := 1023;
+      end if;
+      if slice1winner2_best_at_start_0_0 then
+        slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_2 := 1023;
+      end if;
+      if slice1winner2_best_place_0_0 then
+        slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_3 := slice1winner2_best_second_0_0_choice_2;
+      end if;
       slice1winner2_best_first_0_0 <= slice1winner1_held_0_0;
       slice1winner2_best_place_0_0 <= transform_read_column_inside_1 and slice1winner2_best_cost_0_0_is_less;
       slice1winner2_best_at_start_0_0 <= slice1winner2_best_cost_0_0_is_less;
       slice1winner2_best_at_end_0_0 <= slice1winner1_best_index_0_0 and ((slice1winner1_held_0_2 -
         slice1winner1_best_cost_0_0) >= 0);
       slice1winner2_best_late_cost_0_0 <= slice1winner2_best_cost_0_0;
-      slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice when (slice1winner2_best_second_0_0_choice
-        - slice1winner2_best_second_0_0_choice_3) < 0 else slice1winner2_best_second_0_0_choice_3;
-      slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1 when (slice1winner1_best_late_cost_0_1 -
-        slice1winner1_best_but_first_0_0) < 0 else slice1winner1_best_but_first_0_0;
-      slice1winner2_best_but_last_0_0 <= slice1winner1_best_late_cost_0_0 when slice1winner1_best_late_cost_0_0 < 1023
-        else 1023;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_held_0_2;
+        slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner1_held_0_1;
+        slice1winner2_best_above_0_0 <= 0;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      end if;
+      if (slice1winner2_best_second_0_0_choice - slice1winner2_best_second_0_0_choice_3) < 0 then
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice;
+      else
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_3;
+      end if;
+      if (slice1winner1_best_late_cost_0_1 - slice1winner1_best_but_first_0_0) < 0 then
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1;
+      else
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_but_first_0_0;
+      end if;
+      if slice1winner1_best_late_cost_0_0 < 1023 then
+        slice1winner2_best_but_last_0_0 <= slice1winner1_best_late_cost_0_0;
+      else
+        slice1winner2_best_but_last_0_0 <= 1023;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice1winner2_best_cost_0_0 - slice0winner2_best_late_cost_0_0) < 0;
       slice1_best_below_0_0_is_equal := slice1winner2_best_index_0_0 = 0;
-      slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1_best_below_0_0_is_equal else
-        slice1winner2_best_below_0_0;
+      if slice1_best_below_0_0_is_equal then
+        slice1_best_below_0_0_choice := slice0_best_last_0_0;
+      else
+        slice1_best_below_0_0_choice := slice1winner2_best_below_0_0;
+      end if;
       slice1_best_above_0_0_is_equal := slice0_best_index_0_0 = 2;
-      slice1_best_above_0_0_choice := slice1winner2_best_first_0_0 when slice1_best_above_0_0_is_equal else
-        slice0_best_above_0_0;
-      slice1_best_second_0_0_choice := slice1winner2_best_second_0_0 when slice1_best_place_0_0 else
-        slice1winner2_best_late_cost_0_0;
-      slice1_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_0 when slice1_best_at_end_0_0 else
-        slice1_best_second_0_0_choice;
-      slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0 when slice1_best_place_0_0 else
-        slice0_best_second_0_0;
-      slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0 when slice1_best_at_start_0_0 else
-        slice1_best_second_0_0_choice_3;
-      slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0 when slice1_best_cost_0_0_is_less else
-        slice0winner2_best_late_cost_0_0;
-      slice1_best_index_0_0 <= slice1winner2_best_index_0_0 + 3 when slice1_best_cost_0_0_is_less else
-        slice0_best_index_0_0;
-      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
-        slice0_best_below_0_0;
-      slice1_best_above_0_0 <= slice1winner2_best_above_0_0 when slice1_best_cost_0_0_is_less else
-        slice1_best_above_0_0_choice;
+      if slice1_best_above_0_0_is_equal then
+        slice1_best_above_0_0_choice := slice1winner2_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice0_best_above_0_0;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice := slice1winner2_best_second_0_0;
+      else
+        slice1_best_second_0_0_choice := slice1winner2_best_late_cost_0_0;
+      end if;
+      if slice1_best_at_end_0_0 then
+        slice1_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_0;
+      else
+        slice1_best_second_0_0_choice_2 := slice1_best_second_0_0_choice;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0;
+      else
+        slice1_best_second_0_0_choice_3 := slice0_best_second_0_0;
+      end if;
+      if slice1_best_at_start_0_0 then
+        slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0;
+      else
+        slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3;
+      end if;
       slice1_best_last_0_0 <= slice1winner1_best_late_cost_0_1;
       slice1_best_place_0_0 <= slice1_best_cost_0_0_is_less;
       slice1_best_at_start_0_0 <= slice1_best_cost_0_0_is_less and slice1_best_below_0_0_is_equal;
       slice1_best_at_end_0_0 <= ((slice1winner2_best_cost_0_0 - slice0winner2_best_late_cost_0_0) >= 0) and
         slice1_best_above_0_0_is_equal;
       slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
-      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
-        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
-      slice1_best_but_last_0_0 <= slice1winner2_best_but_last_0_0 when (slice1winner2_best_but_last_0_0 -
-        slice0_best_late_cost_0_0) < 0 else slice0_best_late_cost_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1_best_index_0_0 <= slice1winner2_best_index_0_0 + 3;
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice1winner2_best_above_0_0;
+      else
+        slice1_best_cost_0_0 <= slice0winner2_best_late_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice0_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      end if;
+      if (slice1_best_second_0_0_choice_2 - slice1_best_second_0_0_choice_4) < 0 then
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2;
+      else
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_4;
+      end if;
+      if (slice1winner2_best_but_last_0_0 - slice0_best_late_cost_0_0) < 0 then
+        slice1_best_but_last_0_0 <= slice1winner2_best_but_last_0_0;
+      else
+        slice1_best_but_last_0_0 <= slice0_best_late_cost_0_0;
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice1shift_search_out_0;
@@ -1631,57 +2206,105 @@ begin
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
       -- slice2mask
       slice2mask_inside_0_all := (not slice0winner1_tag_valid) and slice2mask_inside_0;
-      slice2mask_inside_0_choice := slice2mask_inside_0_all when slice1window_tag_first_column else
-        slice0winner1_tag_valid or slice2mask_inside_0;
-      slice2mask_inside_1_choice := slice2mask_inside_0 when slice0winner1_tag_valid else slice2mask_inside_1;
-      slice2mask_inside_0 <= slice2mask_inside_0_choice when slice1mask_left_out else slice2mask_inside_0_all;
-      slice2mask_inside_1 <= (not slice0winner1_tag_valid) and slice2mask_inside_1 when slice1window_tag_first_column
-        else slice2mask_inside_1_choice;
+      if slice1window_tag_first_column then
+        slice2mask_inside_0_choice := slice2mask_inside_0_all;
+      else
+        slice2mask_inside_0_choice := slice0winner1_tag_valid or slice2mask_inside_0;
+      end if;
+      if slice0winner1_tag_valid then
+        slice2mask_inside_1_choice := slice2mask_inside_0;
+      else
+        slice2mask_inside_1_choice := slice2mask_inside_1;
+      end if;
+      if slice1mask_left_out then
+        slice2mask_inside_0 <= slice2mask_inside_0_choice;
+      else
+        slice2mask_inside_0 <= slice2mask_inside_0_all;
+      end if;
+      if slice1window_tag_first_column then
+        slice2mask_inside_1 <= (not slice0winner1_tag_valid) and slice2mask_inside_1;
+      else
+        slice2mask_inside_1 <= slice2mask_inside_1_choice;
+      end if;
       slice2mask_searched_1_any := (not (((settings_last_disparity / 4) mod 2) = 1)) or (not (((settings_last_disparity
         / 2) mod 2) = 1));
-      slice2mask_searched_1_choice := (not (((settings_last_disparity / 16) mod 2) = 1)) and slice2mask_searched_1_any
-        when (settings_last_disparity mod 2) = 1 else not (((settings_last_disparity / 16) mod 2) = 1);
+      if (settings_last_disparity mod 2) = 1 then
+        slice2mask_searched_1_choice := (not (((settings_last_disparity / 16) mod 2) = 1)) and
+          slice2mask_searched_1_any;
+      else
+        slice2mask_searched_1_choice := not (((settings_last_disparity / 16) mod 2) = 1);
+      end if;
       slice2mask_searched_1_value := ((settings_last_disparity / 64) mod 2) = 1;
       slice2mask_searched_1_is_equal := (settings_first_disparity / 8) = 0;
       slice2mask_searched_1_value_2 := ((settings_last_disparity / 32) mod 2) = 1;
       slice2mask_searched_1_all := slice0winner1_tag_start_of_frame and slice1window_tag_output_column and
         slice0winner1_tag_valid;
       if slice2mask_searched_1_all then
-        slice2mask_searched_1 <= slice2mask_searched_1_is_equal and slice2mask_searched_1_value_2 when
-          slice2mask_searched_1_choice and (not ((settings_last_disparity / 128) = 1)) and (not
-          slice2mask_searched_1_value) and (not (((settings_last_disparity / 8) mod 2) = 1)) else
-          slice2mask_searched_1_is_equal;
+        if slice2mask_searched_1_choice and (not ((settings_last_disparity / 128) = 1)) and (not
+          slice2mask_searched_1_value) and (not (((settings_last_disparity / 8) mod 2) = 1)) then
+          slice2mask_searched_1 <= slice2mask_searched_1_is_equal and slice2mask_searched_1_value_2;
+        else
+          slice2mask_searched_1 <= slice2mask_searched_1_is_equal;
+        end if;
       end if;
       -- slice2other
-      slice2other_cost_0_0_choice := slice0winner2_tag_output_column when (slice2window_sum_0_0 -
-        slice1other_cost_out_0) < 0 else slice0winner2_tag_output_column and slice0winner2_tag_first_column;
+      if (slice2window_sum_0_0 - slice1other_cost_out_0) < 0 then
+        slice2other_cost_0_0_choice := slice0winner2_tag_output_column;
+      else
+        slice2other_cost_0_0_choice := slice0winner2_tag_output_column and slice0winner2_tag_first_column;
+      end if;
       slice2other_cost_0_0_all := other_10 and slice2mask_inside_0 and slice2other_cost_0_0_choice;
-      slice2other_cost_0_0_choice_2 := 1023 when slice0winner2_tag_first_column else slice1other_cost_out_0;
+      if slice0winner2_tag_first_column then
+        slice2other_cost_0_0_choice_2 := 1023;
+      else
+        slice2other_cost_0_0_choice_2 := slice1other_cost_out_0;
+      end if;
       if slice0winner2_tag_valid then
-        slice2other_cost_0_0 <= slice2window_sum_0_0 when slice2other_cost_0_0_all else slice2other_cost_0_0_choice_2;
-        slice2other_winner_0_0 <= 6 when slice2other_cost_0_0_all else slice1other_winner_out_0;
-        slice2other_winner_0_1 <= 7 when slice2mask_searched_1 and slice2mask_inside_1 and
-          slice0winner2_tag_output_column and (((slice2window_sum_0_1 - slice2other_cost_0_0) < 0) or
-          slice0winner2_tag_first_column) else slice2other_winner_0_0;
+        if slice2other_cost_0_0_all then
+          slice2other_cost_0_0 <= slice2window_sum_0_0;
+          slice2other_winner_0_0 <= 6;
+        else
+          slice2other_cost_0_0 <= slice2other_cost_0_0_choice_2;
+          slice2other_winner_0_0 <= slice1other_winner_out_0;
+        end if;
+        if slice2mask_searched_1 and slice2mask_inside_1 and slice0winner2_tag_output_column and
+          (((slice2window_sum_0_1 - slice2other_cost_0_0) < 0) or slice0winner2_tag_first_column) then
+          slice2other_winner_0_1 <= 7;
+        else
+          slice2other_winner_0_1 <= slice2other_winner_0_0;
+        end if;
       end if;
       slice2other_winner_out_0 <= slice2other_winner_0_1;
       -- slice2winner1
-      slice2winner1_held_0_0_choice := 1023 when (not other_10) or (not slice2mask_inside_0) else 0;
+      if (not other_10) or (not slice2mask_inside_0) then
+        slice2winner1_held_0_0_choice := 1023;
+      else
+        slice2winner1_held_0_0_choice := 0;
+      end if;
       slice2winner1_held_0_0_any := to_integer(((to_unsigned(slice2winner1_held_0_0_choice, 10)) or
         (to_unsigned(slice2window_sum_0_0, 10))));
-      slice2winner1_held_0_1_choice := 1023 when (not slice2mask_searched_1) or (not slice2mask_inside_1) else 0;
+      if (not slice2mask_searched_1) or (not slice2mask_inside_1) then
+        slice2winner1_held_0_1_choice := 1023;
+      else
+        slice2winner1_held_0_1_choice := 0;
+      end if;
       slice2winner1_held_0_1_any := to_integer(((to_unsigned(slice2winner1_held_0_1_choice, 10)) or
         (to_unsigned(slice2window_sum_0_1, 10))));
       slice2winner1_best_cost_0_0_is_less := (slice2winner1_held_0_1_any - slice2winner1_held_0_0_any) < 0;
       slice2winner1_held_0_0 <= slice2winner1_held_0_0_any;
       slice2winner1_held_0_1 <= slice2winner1_held_0_1_any;
-      slice2winner1_best_cost_0_0 <= slice2winner1_held_0_1_any when slice2winner1_best_cost_0_0_is_less else
-        slice2winner1_held_0_0_any;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_below_0_0 <= slice2winner1_held_0_0_any when slice2winner1_best_cost_0_0_is_less else 0;
-      slice2winner1_best_above_0_0 <= 0 when slice2winner1_best_cost_0_0_is_less else slice2winner1_held_0_1_any;
       slice2winner1_best_late_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner1_best_but_first_0_0 <= slice2winner1_held_0_1;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2winner1_held_0_1_any;
+        slice2winner1_best_below_0_0 <= slice2winner1_held_0_0_any;
+        slice2winner1_best_above_0_0 <= 0;
+      else
+        slice2winner1_best_cost_0_0 <= slice2winner1_held_0_0_any;
+        slice2winner1_best_below_0_0 <= 0;
+        slice2winner1_best_above_0_0 <= slice2winner1_held_0_1_any;
+      end if;
       -- slice2winner2
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
       slice2winner2_best_below_0_0 <= slice2winner1_best_below_0_0;
@@ -1691,47 +2314,84 @@ begin
       slice2winner2_best_but_first_0_0 <= slice2winner1_best_but_first_0_0;
       -- slice2
       slice2_best_cost_0_0_is_less := (slice2winner1_best_late_cost_0_0 - slice1_best_cost_0_0) < 0;
-      slice2_best_below_0_0_choice := slice2winner2_best_below_0_0 when slice2winner2_best_index_0_0 else
-        slice1_best_last_0_0;
+      if slice2winner2_best_index_0_0 then
+        slice2_best_below_0_0_choice := slice2winner2_best_below_0_0;
+      else
+        slice2_best_below_0_0_choice := slice1_best_last_0_0;
+      end if;
       slice2_best_above_0_0_is_equal := slice1_best_index_0_0 = 5;
-      slice2_best_above_0_0_choice := slice2winner2_best_first_0_0 when slice2_best_above_0_0_is_equal else
-        slice1_best_above_0_0;
-      slice2_best_second_0_0_choice := 1023 when slice2_best_place_0_0 else slice2winner2_best_late_cost_0_0;
-      slice2_best_second_0_0_choice_2 := slice2winner2_best_but_first_0_0 when slice2_best_at_end_0_0 else
-        slice2_best_second_0_0_choice;
-      slice2_best_second_0_0_choice_3 := slice1_best_late_cost_0_0 when slice2_best_place_0_0 else
-        slice1_best_second_0_0;
-      slice2_best_second_0_0_choice_4 := slice1_best_but_last_0_0 when slice2_best_at_start_0_0 else
-        slice2_best_second_0_0_choice_3;
-      slice2_best_cost_0_0 <= slice2winner1_best_late_cost_0_0 when slice2_best_cost_0_0_is_less else
-        slice1_best_cost_0_0;
-      slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0) + 6 when slice2_best_cost_0_0_is_less else
-        slice1_best_index_0_0;
-      slice2_best_below_0_0 <= slice2_best_below_0_0_choice when slice2_best_cost_0_0_is_less else
-        slice1_best_below_0_0;
-      slice2_best_above_0_0 <= slice2winner2_best_above_0_0 when slice2_best_cost_0_0_is_less else
-        slice2_best_above_0_0_choice;
+      if slice2_best_above_0_0_is_equal then
+        slice2_best_above_0_0_choice := slice2winner2_best_first_0_0;
+      else
+        slice2_best_above_0_0_choice := slice1_best_above_0_0;
+      end if;
+      if slice2_best_place_0_0 then
+        slice2_best_second_0_0_choice := 1023;
+      else
+        slice2_best_second_0_0_choice := slice2winner2_best_late_cost_0_0;
+      end if;
+      if slice2_best_at_end_0_0 then
+        slice2_best_second_0_0_choice_2 := slice2winner2_best_but_first_0_0;
+      else
+        slice2_best_second_0_0_choice_2 := slice2_best_second_0_0_choice;
+      end if;
+      if slice2_best_place_0_0 then
+        slice2_best_second_0_0_choice_3 := slice1_best_late_cost_0_0;
+      else
+        slice2_best_second_0_0_choice_3 := slice1_best_second_0_0;
+      end if;
+      if slice2_best_at_start_0_0 then
+        slice2_best_second_0_0_choice_4 := slice1_best_but_last_0_0;
+      else
+        slice2_best_second_0_0_choice_4 := slice2_best_second_0_0_choice_3;
+      end if;
       slice2_best_place_0_0 <= slice2_best_cost_0_0_is_less;
       slice2_best_at_start_0_0 <= slice2_best_cost_0_0_is_less and (not slice2winner2_best_index_0_0);
       slice2_best_at_end_0_0 <= ((slice2winner1_best_late_cost_0_0 - slice1_best_cost_0_0) >= 0) and
         slice2_best_above_0_0_is_equal;
       slice2_best_late_cost_0_0 <= slice2_best_cost_0_0;
-      slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2 when (slice2_best_second_0_0_choice_2 -
-        slice2_best_second_0_0_choice_4) < 0 else slice2_best_second_0_0_choice_4;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_map_column <= slice1_best_tag_map_column;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if slice2_best_cost_0_0_is_less then
+        slice2_best_cost_0_0 <= slice2winner1_best_late_cost_0_0;
+        slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0) + 6;
+        slice2_best_below_0_0 <= slice2_best_below_0_0_choice;
+        slice2_best_above_0_0 <= slice2winner2_best_above_0_0;
+      else
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+        slice2_best_below_0_0 <= slice1_best_below_0_0;
+        slice2_best_above_0_0 <= slice2_best_above_0_0_choice;
+      end if;
+      if (slice2_best_second_0_0_choice_2 - slice2_best_second_0_0_choice_4) < 0 then
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2;
+      else
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_4;
+      end if;
       -- texture
-      texture_taps_search_0_0 <= 31 when rows_inside_0 else 0;
-      texture_taps_search_1_0 <= 31 when rows_inside_1 else 0;
-      texture_taps_search_2_0 <= 31 when rows_inside_2 else 0;
       texture_passes_0_0 <= (texturewindow_sum_0_0 - texture_least) >= 0;
       texture_passes_1_0 <= texture_passes_0_0;
       texture_passes_2_0 <= texture_passes_1_0;
       texture_passes_3_0 <= texture_passes_2_0;
       texture_passes_4_0 <= texture_passes_3_0;
+      if rows_inside_0 then
+        texture_taps_search_0_0 <= 31;
+      else
+        texture_taps_search_0_0 <= 0;
+      end if;
+      if rows_inside_1 then
+        texture_taps_search_1_0 <= 31;
+      else
+        texture_taps_search_1_0 <= 0;
+      end if;
+      if rows_inside_2 then
+        texture_taps_search_2_0 <= 31;
+      else
+        texture_taps_search_2_0 <= 0;
+      end if;
       if not ((not slice0cost_tag_valid) or (not slice0cost_tag_start_of_frame) or (not slice0cost_tag_output_column)) then
         texture_least <= settings_texture_threshold;
       end if;
@@ -1754,9 +2414,12 @@ begin
       -- refinement
       refinement_below_0_differs := slice2_best_below_0_0 /= 1023;
       refinement_below_0_value := ((slice2_best_index_0_0 / 2) mod 2) = 1;
-      refinement_above_0_choice := slice2_best_index_0_0 = 0 when slice2_best_above_0_0 = 1023 else (not
-        ((slice2_best_index_0_0 / 4) = 1)) or (not refinement_below_0_value) or (not ((slice2_best_index_0_0 mod 2) =
-        1));
+      if slice2_best_above_0_0 = 1023 then
+        refinement_above_0_choice := slice2_best_index_0_0 = 0;
+      else
+        refinement_above_0_choice := (not ((slice2_best_index_0_0 / 4) = 1)) or (not refinement_below_0_value) or (not
+          ((slice2_best_index_0_0 mod 2) = 1));
+      end if;
       refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 2048) - refinement_divisor_0_0;
       refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 2048) - refinement_divisor_1_0;
       refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 2048) - refinement_divisor_2_0;
@@ -1765,7 +2428,11 @@ begin
       refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 2048) - refinement_divisor_5_0;
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 2048) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -1793,8 +2460,6 @@ begin
       refinement_passed_0_0 <= (slice2_best_cost_0_0 /= 1023) and texture_passes_4_0;
       refinement_passed_1_0 <= refinement_passed_0_0;
       refinement_passed_2_0 <= refinement_passed_1_0;
-      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_0 else refinement_passed_2_0 and
-        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
       refinement_passed_6_0 <= refinement_passed_5_0;
@@ -1864,34 +2529,14 @@ begin
       refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
       refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
       refinement_alone_0_0 <= slice2_best_second_0_0 = 1023;
-      refinement_alone_1_0 <= ((refinement_percent mod 16) = 0) or refinement_alone_0_0 when (refinement_percent / 16)
-        = 0 else refinement_alone_0_0;
       refinement_gap_0 <= (slice2_best_second_0_0 - slice2_best_late_cost_0_0) mod 1024;
       refinement_lowest_0 <= slice2_best_late_cost_0_0;
       refinement_scaled_gap_0 <= (refinement_gap_0 * 25) * 4;
       refinement_scaled_cost_0 <= refinement_lowest_0 * refinement_percent;
-      refinement_below_0 <= slice2_best_below_0_0 when refinement_below_0_differs and (((slice2_best_index_0_0 / 4) =
-        1) or refinement_below_0_value or ((slice2_best_index_0_0 mod 2) = 1)) else slice2_best_above_0_0;
-      refinement_above_0 <= slice2_best_below_0_0 when (not refinement_above_0_choice) and refinement_below_0_differs
-        else slice2_best_above_0_0;
       refinement_u_0 <= (refinement_below_0 - slice2_best_late_cost_0_0) mod 1024;
       refinement_v_0 <= (refinement_above_0 - slice2_best_late_cost_0_0) mod 1024;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 1024 when
-        (refinement_remainder_1_0_difference / 2048) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 1024 when
-        (refinement_remainder_2_0_difference / 2048) = 1 else (refinement_remainder_1_0 mod 512) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 1024 when
-        (refinement_remainder_3_0_difference / 2048) = 1 else (refinement_remainder_2_0 mod 512) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 1024 when
-        (refinement_remainder_4_0_difference / 2048) = 1 else (refinement_remainder_3_0 mod 512) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 1024 when
-        (refinement_remainder_5_0_difference / 2048) = 1 else (refinement_remainder_4_0 mod 512) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 1024 when
-        (refinement_remainder_6_0_difference / 2048) = 1 else (refinement_remainder_5_0 mod 512) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 1024 when
-        (refinement_remainder_7_0_difference / 2048) = 1 else (refinement_remainder_6_0 mod 512) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 10)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 10))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
@@ -1913,6 +2558,62 @@ begin
       refinement_negative_7_0 <= refinement_negative_6_0;
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 4) * 8) + refinement_fraction_0_choice_2;
+      if refinement_alone_1_0 then
+        refinement_passed_3_0 <= refinement_passed_2_0;
+      else
+        refinement_passed_3_0 <= refinement_passed_2_0 and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      end if;
+      if (refinement_percent / 16) = 0 then
+        refinement_alone_1_0 <= ((refinement_percent mod 16) = 0) or refinement_alone_0_0;
+      else
+        refinement_alone_1_0 <= refinement_alone_0_0;
+      end if;
+      if refinement_below_0_differs and (((slice2_best_index_0_0 / 4) = 1) or refinement_below_0_value or
+        ((slice2_best_index_0_0 mod 2) = 1)) then
+        refinement_below_0 <= slice2_best_below_0_0;
+      else
+        refinement_below_0 <= slice2_best_above_0_0;
+      end if;
+      if (not refinement_above_0_choice) and refinement_below_0_differs then
+        refinement_above_0 <= slice2_best_below_0_0;
+      else
+        refinement_above_0 <= slice2_best_above_0_0;
+      end if;
+      if (refinement_remainder_1_0_difference / 2048) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 1024;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_2_0_difference / 2048) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 1024;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 2048) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 1024;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 2048) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 1024;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 2048) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 1024;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 2048) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 1024;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 2048) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 1024;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 512) * 2;
+      end if;
       if not ((not refinement_tag_0_valid) or (not refinement_tag_0_start_of_frame) or (not refinement_tag_0_output_column)) then
         refinement_percent <= settings_uniqueness_percent;
       end if;
@@ -1921,91 +2622,165 @@ begin
         (((leftright_ring_read_address / 2) mod 2) = 1) or ((leftright_ring_read_address mod 2) = 1));
       leftright_address_0_value := to_integer(leftright_held_0(6 downto 4));
       leftright_checked_passed_0_difference := leftright_answered_disparity_0 - to_integer(leftright_found_0);
-      leftright_checked_tag_row_start_choice := (not ((map_counter_group mod 2) = 1)) or (not (((map_counter_group / 2)
-        mod 2) = 1)) when (size_windows_idle mod 2) = 1 else not (((map_counter_group / 2) mod 2) = 1);
+      if (size_windows_idle mod 2) = 1 then
+        leftright_checked_tag_row_start_choice := (not ((map_counter_group mod 2) = 1)) or (not (((map_counter_group /
+          2) mod 2) = 1));
+      else
+        leftright_checked_tag_row_start_choice := not (((map_counter_group / 2) mod 2) = 1);
+      end if;
       leftright_checked_tag_row_start_is_equal := (map_counter_group mod 4) = 0;
-      leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start_choice when
-        transform_counter_group_value_10 else ((size_windows_idle mod 2) = 1) and
-        leftright_checked_tag_row_start_is_equal;
+      if transform_counter_group_value_10 then
+        leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start_choice;
+      else
+        leftright_checked_tag_row_start_choice_2 := ((size_windows_idle mod 2) = 1) and
+          leftright_checked_tag_row_start_is_equal;
+      end if;
       leftright_checked_tag_row_start_value := ((map_counter_group / 4) mod 2) = 1;
-      leftright_checked_tag_row_start_choice_3 := (not transform_counter_group_value_11) and
-        leftright_checked_tag_row_start_value when leftright_checked_tag_row_start_choice_2 else (not
-        transform_counter_group_value_11) or leftright_checked_tag_row_start_value;
+      if leftright_checked_tag_row_start_choice_2 then
+        leftright_checked_tag_row_start_choice_3 := (not transform_counter_group_value_11) and
+          leftright_checked_tag_row_start_value;
+      else
+        leftright_checked_tag_row_start_choice_3 := (not transform_counter_group_value_11) or
+          leftright_checked_tag_row_start_value;
+      end if;
       leftright_checked_tag_row_start_value_2 := ((map_counter_group / 8) mod 2) = 1;
-      leftright_checked_tag_row_start_choice_4 := (not transform_counter_group_value_12) or
-        leftright_checked_tag_row_start_value_2 when leftright_checked_tag_row_start_choice_3 else (not
-        transform_counter_group_value_12) and leftright_checked_tag_row_start_value_2;
+      if leftright_checked_tag_row_start_choice_3 then
+        leftright_checked_tag_row_start_choice_4 := (not transform_counter_group_value_12) or
+          leftright_checked_tag_row_start_value_2;
+      else
+        leftright_checked_tag_row_start_choice_4 := (not transform_counter_group_value_12) and
+          leftright_checked_tag_row_start_value_2;
+      end if;
       leftright_checked_tag_row_start_value_3 := ((size_map_last_column / 16) mod 2) = 1;
-      leftright_checked_tag_row_start_choice_5 := (map_counter_column / 16) = 3 when
-        leftright_checked_tag_row_start_value_3 else (map_counter_column / 16) = 2;
-      leftright_checked_tag_row_start_choice_6 := (map_counter_column / 16) = 1 when
-        leftright_checked_tag_row_start_value_3 else (map_counter_column / 16) = 0;
-      leftright_checked_tag_row_start_choice_7 := leftright_checked_tag_row_start_choice_5 when (size_map_last_column /
-        32) = 1 else leftright_checked_tag_row_start_choice_6;
+      if leftright_checked_tag_row_start_value_3 then
+        leftright_checked_tag_row_start_choice_5 := (map_counter_column / 16) = 3;
+      else
+        leftright_checked_tag_row_start_choice_5 := (map_counter_column / 16) = 2;
+      end if;
+      if leftright_checked_tag_row_start_value_3 then
+        leftright_checked_tag_row_start_choice_6 := (map_counter_column / 16) = 1;
+      else
+        leftright_checked_tag_row_start_choice_6 := (map_counter_column / 16) = 0;
+      end if;
+      if (size_map_last_column / 32) = 1 then
+        leftright_checked_tag_row_start_choice_7 := leftright_checked_tag_row_start_choice_5;
+      else
+        leftright_checked_tag_row_start_choice_7 := leftright_checked_tag_row_start_choice_6;
+      end if;
       leftright_checked_tag_row_start_value_4 := ((size_map_last_column / 2) mod 2) = 1;
       leftright_checked_tag_row_start_value_5 := (map_counter_column / 2) mod 4;
-      leftright_checked_tag_row_start_choice_8 := leftright_checked_tag_row_start_value_5 = 3 when
-        leftright_checked_tag_row_start_value_4 else leftright_checked_tag_row_start_value_5 = 2;
-      leftright_checked_tag_row_start_choice_9 := leftright_checked_tag_row_start_value_5 = 1 when
-        leftright_checked_tag_row_start_value_4 else leftright_checked_tag_row_start_value_5 = 0;
-      leftright_checked_tag_row_start_choice_10 := leftright_checked_tag_row_start_choice_8 when ((size_map_last_column
-        / 4) mod 2) = 1 else leftright_checked_tag_row_start_choice_9;
+      if leftright_checked_tag_row_start_value_4 then
+        leftright_checked_tag_row_start_choice_8 := leftright_checked_tag_row_start_value_5 = 3;
+      else
+        leftright_checked_tag_row_start_choice_8 := leftright_checked_tag_row_start_value_5 = 2;
+      end if;
+      if leftright_checked_tag_row_start_value_4 then
+        leftright_checked_tag_row_start_choice_9 := leftright_checked_tag_row_start_value_5 = 1;
+      else
+        leftright_checked_tag_row_start_choice_9 := leftright_checked_tag_row_start_value_5 = 0;
+      end if;
+      if ((size_map_last_column / 4) mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_10 := leftright_checked_tag_row_start_choice_8;
+      else
+        leftright_checked_tag_row_start_choice_10 := leftright_checked_tag_row_start_choice_9;
+      end if;
       leftright_checked_tag_row_start_differs := ((size_map_last_column mod 2) = 1) /= (not ((map_counter_column mod 2)
         = 1));
       leftright_checked_tag_row_start_differs_2 := (((size_map_last_column / 8) mod 2) = 1) /= (not
         (((map_counter_column / 8) mod 2) = 1));
-      leftright_checked_tag_row_start_choice_11 := leftright_checked_tag_row_start_choice_7 and
-        leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
-        leftright_checked_tag_row_start_differs_2 and ((size_windows_idle / 16) = 1) and (not ((map_counter_group / 16)
-        = 1)) when leftright_checked_tag_row_start_choice_4 else leftright_checked_tag_row_start_choice_7 and
-        leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
-        leftright_checked_tag_row_start_differs_2 and (((size_windows_idle / 16) = 1) or (not ((map_counter_group / 16)
-        = 1)));
+      if leftright_checked_tag_row_start_choice_4 then
+        leftright_checked_tag_row_start_choice_11 := leftright_checked_tag_row_start_choice_7 and
+          leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
+          leftright_checked_tag_row_start_differs_2 and ((size_windows_idle / 16) = 1) and (not ((map_counter_group /
+          16) = 1));
+      else
+        leftright_checked_tag_row_start_choice_11 := leftright_checked_tag_row_start_choice_7 and
+          leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
+          leftright_checked_tag_row_start_differs_2 and (((size_windows_idle / 16) = 1) or (not ((map_counter_group /
+          16) = 1)));
+      end if;
       leftright_checked_tag_row_start_value_6 := ((size_windows_groups / 8) mod 2) = 1;
-      leftright_checked_tag_row_start_choice_12 := (map_counter_group / 8) = 3 when
-        leftright_checked_tag_row_start_value_6 else (map_counter_group / 8) = 2;
+      if leftright_checked_tag_row_start_value_6 then
+        leftright_checked_tag_row_start_choice_12 := (map_counter_group / 8) = 3;
+      else
+        leftright_checked_tag_row_start_choice_12 := (map_counter_group / 8) = 2;
+      end if;
       leftright_checked_tag_row_start_is_equal_2 := (map_counter_group / 8) = 1;
       leftright_checked_tag_row_start_is_equal_3 := (map_counter_group / 8) = 0;
-      leftright_checked_tag_row_start_choice_13 := leftright_checked_tag_row_start_is_equal_2 when
-        leftright_checked_tag_row_start_value_6 else leftright_checked_tag_row_start_is_equal_3;
-      leftright_checked_tag_row_start_choice_14 := leftright_checked_tag_row_start_choice_12 when (size_windows_groups
-        / 16) = 1 else leftright_checked_tag_row_start_choice_13;
+      if leftright_checked_tag_row_start_value_6 then
+        leftright_checked_tag_row_start_choice_13 := leftright_checked_tag_row_start_is_equal_2;
+      else
+        leftright_checked_tag_row_start_choice_13 := leftright_checked_tag_row_start_is_equal_3;
+      end if;
+      if (size_windows_groups / 16) = 1 then
+        leftright_checked_tag_row_start_choice_14 := leftright_checked_tag_row_start_choice_12;
+      else
+        leftright_checked_tag_row_start_choice_14 := leftright_checked_tag_row_start_choice_13;
+      end if;
       leftright_checked_tag_row_start_is_equal_4 := (map_counter_group mod 4) = 3;
       leftright_checked_tag_row_start_is_equal_5 := (map_counter_group mod 4) = 2;
-      leftright_checked_tag_row_start_choice_15 := leftright_checked_tag_row_start_is_equal_4 when (size_windows_groups
-        mod 2) = 1 else leftright_checked_tag_row_start_is_equal_5;
+      if (size_windows_groups mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_15 := leftright_checked_tag_row_start_is_equal_4;
+      else
+        leftright_checked_tag_row_start_choice_15 := leftright_checked_tag_row_start_is_equal_5;
+      end if;
       leftright_checked_tag_row_start_is_equal_6 := (map_counter_group mod 4) = 1;
-      leftright_checked_tag_row_start_choice_16 := leftright_checked_tag_row_start_is_equal_6 when (size_windows_groups
-        mod 2) = 1 else leftright_checked_tag_row_start_is_equal;
-      leftright_checked_tag_row_start_choice_17 := leftright_checked_tag_row_start_choice_15 when ((size_windows_groups
-        / 2) mod 2) = 1 else leftright_checked_tag_row_start_choice_16;
+      if (size_windows_groups mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_16 := leftright_checked_tag_row_start_is_equal_6;
+      else
+        leftright_checked_tag_row_start_choice_16 := leftright_checked_tag_row_start_is_equal;
+      end if;
+      if ((size_windows_groups / 2) mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_17 := leftright_checked_tag_row_start_choice_15;
+      else
+        leftright_checked_tag_row_start_choice_17 := leftright_checked_tag_row_start_choice_16;
+      end if;
       leftright_checked_tag_row_start_differs_3 := transform_counter_group_value_13 /= (not
         leftright_checked_tag_row_start_value);
       leftright_checked_tag_row_start_all := leftright_checked_tag_row_start_choice_14 and
         leftright_checked_tag_row_start_choice_17 and leftright_checked_tag_row_start_differs_3;
-      leftright_checked_tag_row_start_choice_18 := (not leftright_checked_tag_row_start_all) and
-        leftright_checked_tag_row_start when leftright_checked_tag_row_start_choice_11 else
-        leftright_checked_tag_row_start;
-      leftright_checked_tag_row_start_choice_19 := leftright_checked_tag_row_start_is_equal_2 when
-        (size_windows_last_group / 8) = 1 else leftright_checked_tag_row_start_is_equal_3;
-      leftright_checked_tag_row_start_choice_20 := leftright_checked_tag_row_start_is_equal_4 when
-        (size_windows_last_group mod 2) = 1 else leftright_checked_tag_row_start_is_equal_5;
-      leftright_checked_tag_row_start_choice_21 := leftright_checked_tag_row_start_is_equal_6 when
-        (size_windows_last_group mod 2) = 1 else leftright_checked_tag_row_start_is_equal;
-      leftright_checked_tag_row_start_choice_22 := leftright_checked_tag_row_start_choice_20 when
-        ((size_windows_last_group / 2) mod 2) = 1 else leftright_checked_tag_row_start_choice_21;
+      if leftright_checked_tag_row_start_choice_11 then
+        leftright_checked_tag_row_start_choice_18 := (not leftright_checked_tag_row_start_all) and
+          leftright_checked_tag_row_start;
+      else
+        leftright_checked_tag_row_start_choice_18 := leftright_checked_tag_row_start;
+      end if;
+      if (size_windows_last_group / 8) = 1 then
+        leftright_checked_tag_row_start_choice_19 := leftright_checked_tag_row_start_is_equal_2;
+      else
+        leftright_checked_tag_row_start_choice_19 := leftright_checked_tag_row_start_is_equal_3;
+      end if;
+      if (size_windows_last_group mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_20 := leftright_checked_tag_row_start_is_equal_4;
+      else
+        leftright_checked_tag_row_start_choice_20 := leftright_checked_tag_row_start_is_equal_5;
+      end if;
+      if (size_windows_last_group mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_21 := leftright_checked_tag_row_start_is_equal_6;
+      else
+        leftright_checked_tag_row_start_choice_21 := leftright_checked_tag_row_start_is_equal;
+      end if;
+      if ((size_windows_last_group / 2) mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_22 := leftright_checked_tag_row_start_choice_20;
+      else
+        leftright_checked_tag_row_start_choice_22 := leftright_checked_tag_row_start_choice_21;
+      end if;
       leftright_checked_tag_row_start_differs_4 := transform_counter_group_value_4 /= (not
         leftright_checked_tag_row_start_value);
       leftright_checked_tag_row_start_all_2 := leftright_checked_tag_row_start_choice_19 and
         leftright_checked_tag_row_start_choice_22 and leftright_checked_tag_row_start_differs_4 and
         leftright_checked_tag_row_start_choice_7 and leftright_checked_tag_row_start_choice_10 and
         leftright_checked_tag_row_start_differs and leftright_checked_tag_row_start_differs_2;
-      leftright_checked_tag_row_start_choice_23 := leftright_checked_tag_row_start_all_2 or (not
-        leftright_checked_tag_start_of_frame) when leftright_checked_tag_row_start_choice_18 else
-        leftright_checked_tag_row_start_choice_19 and leftright_checked_tag_row_start_choice_22 and
-        leftright_checked_tag_row_start_differs_4 and leftright_checked_tag_row_start_choice_7 and
-        leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
-        leftright_checked_tag_row_start_differs_2 and leftright_checked_tag_start_of_frame;
+      if leftright_checked_tag_row_start_choice_18 then
+        leftright_checked_tag_row_start_choice_23 := leftright_checked_tag_row_start_all_2 or (not
+          leftright_checked_tag_start_of_frame);
+      else
+        leftright_checked_tag_row_start_choice_23 := leftright_checked_tag_row_start_choice_19 and
+          leftright_checked_tag_row_start_choice_22 and leftright_checked_tag_row_start_differs_4 and
+          leftright_checked_tag_row_start_choice_7 and leftright_checked_tag_row_start_choice_10 and
+          leftright_checked_tag_row_start_differs and leftright_checked_tag_row_start_differs_2 and
+          leftright_checked_tag_start_of_frame;
+      end if;
       leftright_checked_tag_row_start_all_3 := leftright_checked_tag_valid and leftright_checked_tag_map_column;
       leftright_other_1_0 <= slice2other_winner_out_0;
       leftright_other_2_0 <= leftright_other_1_0;
@@ -2020,8 +2795,6 @@ begin
       leftright_other_11_0 <= leftright_other_10_0;
       leftright_other_12_0 <= leftright_other_11_0;
       leftright_other_13_0 <= leftright_other_12_0;
-      leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners when
-        leftright_holds_winners_all else refinement_tag_11_valid or leftright_holds_winners;
       leftright_position <= (leftright_position + as_number(refinement_tag_11_valid)) mod 16;
       leftright_held_position <= leftright_position;
       leftright_held_valid <= (not leftright_holds_winners_all) and refinement_tag_11_valid;
@@ -2046,34 +2819,63 @@ begin
       leftright_checked_passed_0 <= leftright_answered_passed_0 and ((leftright_checked_passed_0_difference - (0 -
         leftright_threshold)) >= 0) and ((leftright_threshold - leftright_checked_passed_0_difference) >= 0);
       leftright_checked_tag_valid <= leftright_answered_tag_valid;
-      leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_3 when
-        leftright_checked_tag_row_start_choice_23 else leftright_checked_tag_row_start and ((not
-        leftright_checked_tag_valid) or (not leftright_checked_tag_map_column));
       leftright_checked_tag_map_column <= leftright_answered_tag_map_column;
       leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
       leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if leftright_holds_winners_all then
+        leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners;
+      else
+        leftright_holds_winners <= refinement_tag_11_valid or leftright_holds_winners;
+      end if;
+      if leftright_checked_tag_row_start_choice_23 then
+        leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_3;
+      else
+        leftright_checked_tag_row_start <= leftright_checked_tag_row_start and ((not leftright_checked_tag_valid) or
+          (not leftright_checked_tag_map_column));
+      end if;
       if refinement_tag_11_valid then
-        leftright_ring_read_address <= 0 when leftright_ring_read_address = 7 else (leftright_ring_read_address + 1)
-          mod 8;
         leftright_ring_write_address <= leftright_ring_read_address;
+        if leftright_ring_read_address = 7 then
+          leftright_ring_read_address <= 0;
+        else
+          leftright_ring_read_address <= (leftright_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if not ((not leftright_asking_tag_valid) or (not leftright_asking_tag_start_of_frame) or (not leftright_asking_tag_output_column)) then
         leftright_threshold <= settings_left_right_threshold;
       end if;
       -- map
       if leftright_checked_tag_row_start_all_3 then
-        map_counter_column <= 0 when (leftright_checked_tag_row_start_choice_7 and
-          leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
-          leftright_checked_tag_row_start_differs_2) or leftright_checked_tag_start_of_frame else (map_counter_column +
-          1) mod 64;
+        if (leftright_checked_tag_row_start_choice_7 and leftright_checked_tag_row_start_choice_10 and
+          leftright_checked_tag_row_start_differs and leftright_checked_tag_row_start_differs_2) or
+          leftright_checked_tag_start_of_frame then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 64;
+        end if;
       end if;
-      map_counter_group_choice := size_windows_groups when leftright_checked_tag_row_start_all_2 else 0;
-      map_counter_group_choice_2 := 1 when leftright_checked_tag_row_start_choice_14 and
-        leftright_checked_tag_row_start_choice_17 and leftright_checked_tag_row_start_differs_3 and
-        leftright_checked_tag_row_start else (map_counter_group + 1) mod 32;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when leftright_checked_tag_row_start_choice_11 and
-        leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group;
-      map_line_ended_choice := leftright_checked_tag_map_column when leftright_checked_tag_valid else map_line_ended;
+      if leftright_checked_tag_row_start_all_2 then
+        map_counter_group_choice := size_windows_groups;
+      else
+        map_counter_group_choice := 0;
+      end if;
+      if leftright_checked_tag_row_start_choice_14 and leftright_checked_tag_row_start_choice_17 and
+        leftright_checked_tag_row_start_differs_3 and leftright_checked_tag_row_start then
+        map_counter_group_choice_2 := 1;
+      else
+        map_counter_group_choice_2 := (map_counter_group + 1) mod 32;
+      end if;
+      if leftright_checked_tag_row_start_choice_11 and leftright_checked_tag_valid and leftright_checked_tag_map_column
+        then
+        map_counter_group_choice_3 := map_counter_group_choice_2;
+      else
+        map_counter_group_choice_3 := map_counter_group;
+      end if;
+      if leftright_checked_tag_valid then
+        map_line_ended_choice := leftright_checked_tag_map_column;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
@@ -2085,8 +2887,16 @@ begin
       else
         map_of_column_0_c_choice := map_column_2 / 2;
       end if;
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
       if map_of_column_0_c_below_b then
         map_sorted_middle_0_choice := map_of_column_0_b;
       else
@@ -2107,32 +2917,81 @@ begin
       else
         map_sorted_high_0_choice_2 := map_of_column_0_c;
       end if;
-      map_window_complete_choice := map_sorted_arrives when ((map_sorted_column / 2) mod 2) = 1 else
-        ((map_sorted_column mod 2) = 1) and map_sorted_arrives;
-      map_window_complete_choice_2 := map_window_complete_choice when (map_sorted_column / 4) = 0 else
-        map_sorted_arrives;
-      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
-        map_median_middle_0_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_counter_group <= map_counter_group_choice when leftright_checked_tag_start_of_frame and
-        leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group_choice_3;
+      if ((map_sorted_column / 2) mod 2) = 1 then
+        map_window_complete_choice := map_sorted_arrives;
+      else
+        map_window_complete_choice := ((map_sorted_column mod 2) = 1) and map_sorted_arrives;
+      end if;
+      if (map_sorted_column / 4) = 0 then
+        map_window_complete_choice_2 := map_window_complete_choice;
+      else
+        map_window_complete_choice_2 := map_sorted_arrives;
+      end if;
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice := map_of_low_0_a;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice_2 := map_of_low_0_b;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_2 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_4 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
       map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
       map_newest_0 <= ((((((((leftright_checked_disparity_0 + 4095) mod 2048) * 2) + (leftright_checked_fraction_0 / 8)
         + 1) mod 4096) * 8) + (leftright_checked_fraction_0 mod 8)) * 2) + as_number(leftright_checked_passed_0);
       map_arrives <= leftright_checked_tag_row_start_all_3;
       map_behind <= map_line_ended and leftright_checked_tag_valid;
-      map_line_ended <= map_line_ended_choice when leftright_checked_tag_end_of_line else map_line_ended and (not
-        leftright_checked_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -2161,14 +3020,6 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
-        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
-      map_window_complete <= map_sorted_output when map_window_complete_choice_2 else map_sorted_output and
-        map_sorted_behind;
       map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
       map_window_last <= map_sorted_behind;
       map_of_low_0_a <= map_low_0_0;
@@ -2189,10 +3040,6 @@ begin
       map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
-        map_median_middle_0_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
@@ -2211,47 +3058,123 @@ begin
       map_waiting_passed_0_0 <= map_passed_1_0;
       map_waiting_passed_1_0 <= map_waiting_passed_0_0;
       map_waiting_passed_2_0 <= map_waiting_passed_1_0;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_map_column then
+        map_counter_group <= map_counter_group_choice;
+      else
+        map_counter_group <= map_counter_group_choice_3;
+      end if;
+      if leftright_checked_tag_end_of_line then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= map_line_ended and (not leftright_checked_tag_valid);
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_passed_0_0 then
+        map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind;
+      else
+        map_passed_1_0 <= map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      end if;
+      if map_window_complete_choice_2 then
+        map_window_complete <= map_sorted_output;
+      else
+        map_window_complete <= map_sorted_output and map_sorted_behind;
+      end if;
+      if map_of_low_0_b_below_a then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
         map_at_column <= to_integer(other_1(5 downto 0));
       end if;
-      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_0_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
       map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
-      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_0_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
       map_low_0_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_0_all then
         map_low_0_0 <= map_low_0_0_choice;
-        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
         map_middle_0_0 <= map_middle_0_0_choice;
-        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
         map_high_0_0 <= map_high_0_0_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
+        if map_low_1_0_all then
+          map_low_1_0 <= map_low_0_0_choice;
+          map_middle_1_0 <= map_middle_0_0_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+        else
+          map_low_1_0 <= map_low_0_0;
+          map_middle_1_0 <= map_middle_0_0;
+          map_high_1_0 <= map_high_0_0;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;
       end if;
       -- other
-      other_11_choice := ((settings_last_disparity / 4) mod 4) = 0 when (settings_last_disparity mod 2) = 1 else (not
-        (((settings_last_disparity / 8) mod 2) = 1)) and slice2mask_searched_1_any;
+      if (settings_last_disparity mod 2) = 1 then
+        other_11_choice := ((settings_last_disparity / 4) mod 4) = 0;
+      else
+        other_11_choice := (not (((settings_last_disparity / 8) mod 2) = 1)) and slice2mask_searched_1_any;
+      end if;
       other_11_any := (not (((settings_first_disparity / 4) mod 2) = 1)) or (not (((settings_first_disparity / 2) mod
         2) = 1));
-      other_11_choice_2 := other_11_any and slice2mask_searched_1_is_equal and slice0window_tag_valid and
-        slice0window_tag_start_of_frame and slice1window_centre_output_column_0 and ((settings_last_disparity / 128) =
-        1) when other_11_choice and (((settings_last_disparity / 16) mod 8) = 0) else other_11_any and
-        slice2mask_searched_1_is_equal and slice0window_tag_valid and slice0window_tag_start_of_frame and
-        slice1window_centre_output_column_0;
+      if other_11_choice and (((settings_last_disparity / 16) mod 8) = 0) then
+        other_11_choice_2 := other_11_any and slice2mask_searched_1_is_equal and slice0window_tag_valid and
+          slice0window_tag_start_of_frame and slice1window_centre_output_column_0 and ((settings_last_disparity / 128)
+          = 1);
+      else
+        other_11_choice_2 := other_11_any and slice2mask_searched_1_is_equal and slice0window_tag_valid and
+          slice0window_tag_start_of_frame and slice1window_centre_output_column_0;
+      end if;
       other_11_all := slice0window_tag_valid and slice0window_tag_start_of_frame and
         slice1window_centre_output_column_0;
-      other_12_choice := not ((settings_first_disparity / 128) = 1) when other_11_all else other_12;
+      if other_11_all then
+        other_12_choice := not ((settings_first_disparity / 128) = 1);
+      else
+        other_12_choice := other_12;
+      end if;
       other_14_is_less := 4 < in_image_width;
       other_0 <= ((map_rows_ready_words_0 mod 8192) / 2) * 2;
       other_1 <= other_2;
@@ -2267,23 +3190,36 @@ begin
       other_8 <= ((refinement_remainder_2_0_difference / 2048) * 64) + ((other_9 / 128) * 128);
       other_9 <= (refinement_remainder_1_0_difference / 2048) * 128;
       other_11 <= other_11_choice_2 or ((not other_11_all) and other_11);
-      other_12 <= other_12_choice when ((not (((settings_first_disparity / 4) mod 2) = 1)) or
-        ((settings_first_disparity mod 4) = 0)) and (((settings_first_disparity / 8) mod 16) = 0) and
-        ((((settings_last_disparity / 4) mod 16) /= 0) or ((settings_last_disparity / 128) = 1) or
-        slice2mask_searched_1_value) else (not other_11_all) and other_12;
       other_14 <= other_14_is_less;
-      other_15 <= 4 when other_14_is_less else (4 - in_image_width) mod 65536;
+      if ((not (((settings_first_disparity / 4) mod 2) = 1)) or ((settings_first_disparity mod 4) = 0)) and
+        (((settings_first_disparity / 8) mod 16) = 0) and ((((settings_last_disparity / 4) mod 16) /= 0) or
+        ((settings_last_disparity / 128) = 1) or slice2mask_searched_1_value) then
+        other_12 <= other_12_choice;
+      else
+        other_12 <= (not other_11_all) and other_12;
+      end if;
+      if other_14_is_less then
+        other_15 <= 4;
+      else
+        other_15 <= (4 - in_image_width) mod 65536;
+      end if;
       if slice2mask_searched_1_all then
         other_10 <= ((not (((settings_first_disparity / 4) mod 2) = 1)) or (not (((settings_first_disparity / 2) mod 2)
           = 1)) or (not ((settings_first_disparity mod 2) = 1))) and (not (slice2mask_searched_1_any and
           ((settings_last_disparity / 8) = 0))) and slice2mask_searched_1_is_equal;
       end if;
-      other_13_choice := (not (((settings_last_disparity / 16) mod 2) = 1)) and (not (((settings_last_disparity / 8)
-        mod 2) = 1)) and (not (((settings_last_disparity / 2) mod 2) = 1)) when (settings_last_disparity mod 2) = 1
-        else ((settings_last_disparity / 8) mod 4) = 0;
-      other_13_choice_2 := (not ((settings_first_disparity / 128) = 1)) and slice2mask_searched_1_value_2 when
-        other_13_choice and (not ((settings_last_disparity / 128) = 1)) and (not slice2mask_searched_1_value) and (not
-        (((settings_last_disparity / 4) mod 2) = 1)) else not ((settings_first_disparity / 128) = 1);
+      if (settings_last_disparity mod 2) = 1 then
+        other_13_choice := (not (((settings_last_disparity / 16) mod 2) = 1)) and (not (((settings_last_disparity / 8)
+          mod 2) = 1)) and (not (((settings_last_disparity / 2) mod 2) = 1));
+      else
+        other_13_choice := ((settings_last_disparity / 8) mod 4) = 0;
+      end if;
+      if other_13_choice and (not ((settings_last_disparity / 128) = 1)) and (not slice2mask_searched_1_value) and (not
+        (((settings_last_disparity / 4) mod 2) = 1)) then
+        other_13_choice_2 := (not ((settings_first_disparity / 128) = 1)) and slice2mask_searched_1_value_2;
+      else
+        other_13_choice_2 := not ((settings_first_disparity / 128) = 1);
+      end if;
       if other_11_all then
         other_13 <= other_13_choice_2 and (((settings_first_disparity / 4) mod 32) = 0);
       end if;

@@ -481,184 +481,292 @@ architecture rtl of stereo_core_tiny_size_recursive is
   signal other_7 : natural range 0 to 224;
   signal other_8 : natural range 0 to 192;
   signal other_9 : natural range 0 to 128;
+  signal map_rows_read_words_0_memory_read_enable : boolean;
+  signal map_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal map_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal leftright_found_0_memory_read_enable : boolean;
+  signal leftright_found_0_memory_read_address : unsigned(3 downto 0);
+  signal leftright_found_0_memory_write_address : unsigned(3 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(2 downto 0);
+  signal leftright_held_0_memory_read_enable : boolean;
+  signal leftright_held_0_memory_read_address : unsigned(2 downto 0);
+  signal leftright_held_0_memory_write_address : unsigned(2 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
+  signal texturewindow_leaving_0_memory_read_enable : boolean;
+  signal texturewindow_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal texturewindow_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal texturewindow_leaving_0_memory_write_data : unsigned(8 downto 0);
+  signal texturecost_read_words_0_memory_read_enable : boolean;
+  signal texturecost_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal texturecost_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal texturecost_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal slice2window_leaving_0_memory_read_enable : boolean;
+  signal slice2window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice2window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice2window_leaving_0_memory_write_data : unsigned(17 downto 0);
+  signal slice2cost_read_words_0_memory_read_enable : boolean;
+  signal slice2cost_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal slice2cost_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal slice2cost_read_words_0_memory_write_data : unsigned(17 downto 0);
+  signal slice1window_leaving_0_memory_read_enable : boolean;
+  signal slice1window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(26 downto 0);
+  signal slice1cost_read_words_0_memory_read_enable : boolean;
+  signal slice1cost_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal slice1cost_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal slice1cost_read_words_0_memory_write_data : unsigned(26 downto 0);
+  signal slice0window_leaving_0_memory_read_enable : boolean;
+  signal slice0window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(26 downto 0);
+  signal slice0cost_read_words_0_memory_read_enable : boolean;
+  signal slice0cost_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal slice0cost_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(26 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(20 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(20 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(3 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(3 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(6 downto 0);
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_image_width <= to_integer(unsigned(image_width));
-  in_image_height <= to_integer(unsigned(image_height));
-  in_left_right_threshold <= to_integer(unsigned(left_right_threshold));
-  in_uniqueness_percent <= to_integer(unsigned(uniqueness_percent));
-  in_texture_threshold <= to_integer(unsigned(texture_threshold));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_image_width <= to_integer(unsigned(to_stdlogicvector(to_bitvector(image_width))));
+  in_image_height <= to_integer(unsigned(to_stdlogicvector(to_bitvector(image_height))));
+  in_left_right_threshold <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_right_threshold))));
+  in_uniqueness_percent <= to_integer(unsigned(to_stdlogicvector(to_bitvector(uniqueness_percent))));
+  in_texture_threshold <= to_integer(unsigned(to_stdlogicvector(to_bitvector(texture_threshold))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  map_rows_read_words_0_memory_read_enable <= true;
+  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 5);
+  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 5);
   map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 31, width => 26)
+    generic map (depth => 31, width => 26, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
+      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
+      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
 
+  leftright_found_0_memory_read_enable <= true;
+  leftright_found_0_memory_read_address <= to_unsigned(leftright_address_0, 4);
+  leftright_found_0_memory_write_address <= to_unsigned(leftright_position, 4);
   leftright_found_0_memory_write_data <= to_unsigned(leftright_other_13_0, 3);
   leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
+    generic map (depth => 16, width => 3, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+      clock => clock, read_enable => leftright_found_0_memory_read_enable,
+      read_address => leftright_found_0_memory_read_address, read_data => leftright_found_0,
+      write_address => leftright_found_0_memory_write_address, write_data => leftright_found_0_memory_write_data);
 
+  leftright_held_0_memory_read_enable <= true;
+  leftright_held_0_memory_read_address <= to_unsigned(leftright_ring_read_address, 3);
+  leftright_held_0_memory_write_address <= to_unsigned(leftright_ring_write_address, 3);
   leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
   leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 18)
+    generic map (depth => 8, width => 18, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+      clock => clock, read_enable => leftright_held_0_memory_read_enable,
+      read_address => leftright_held_0_memory_read_address, read_data => leftright_held_0,
+      write_address => leftright_held_0_memory_write_address, write_data => leftright_held_0_memory_write_data);
 
+  texturewindow_leaving_0_memory_read_enable <= true;
+  texturewindow_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  texturewindow_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   texturewindow_leaving_0_memory_write_data <= to_unsigned(texturecost_column_0_0, 9);
   texturewindow_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 9)
+    generic map (depth => 8, width => 9, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => texturewindow_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => texturewindow_leaving_0_memory_write_data);
+      clock => clock, read_enable => texturewindow_leaving_0_memory_read_enable,
+      read_address => texturewindow_leaving_0_memory_read_address, read_data => texturewindow_leaving_0,
+      write_address => texturewindow_leaving_0_memory_write_address, write_data => texturewindow_leaving_0_memory_write_data);
 
+  texturecost_read_words_0_memory_read_enable <= true;
+  texturecost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 6);
+  texturecost_read_words_0_memory_write_address <= to_unsigned(slice0cost_write_column, 6);
   texturecost_read_words_0_memory_write_data <= to_unsigned(texturecost_write_words_0, 9);
   texturecost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 9)
+    generic map (depth => 40, width => 9, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => texturecost_read_words_0,
-      write_address => slice0cost_write_column, write_data => texturecost_read_words_0_memory_write_data);
+      clock => clock, read_enable => texturecost_read_words_0_memory_read_enable,
+      read_address => texturecost_read_words_0_memory_read_address, read_data => texturecost_read_words_0,
+      write_address => texturecost_read_words_0_memory_write_address, write_data => texturecost_read_words_0_memory_write_data);
 
+  slice2window_leaving_0_memory_read_enable <= true;
+  slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 3);
+  slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 3);
   slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0_1, 9) & to_unsigned(slice2cost_column_0_0, 9);
   slice2window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 18)
+    generic map (depth => 8, width => 18, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_0,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
+      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving_0,
+      write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
 
+  slice2cost_read_words_0_memory_read_enable <= true;
+  slice2cost_read_words_0_memory_read_address <= to_unsigned(slice1cost_change_column, 6);
+  slice2cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_write_column, 6);
   slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words_0, 18);
   slice2cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 18)
+    generic map (depth => 40, width => 18, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_change_column, read_data => slice2cost_read_words_0,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
+      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words_0,
+      write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
 
+  slice1window_leaving_0_memory_read_enable <= true;
+  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_2, 9) & to_unsigned(slice1cost_column_0_1, 9) & to_unsigned(slice1cost_column_0_0, 9);
   slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 27)
+    generic map (depth => 8, width => 27, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_0,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
+      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving_0,
+      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
 
+  slice1cost_read_words_0_memory_read_enable <= true;
+  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice1cost_read_column, 6);
+  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_ready_column, 6);
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 27);
   slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 27)
+    generic map (depth => 40, width => 27, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1cost_read_column, read_data => slice1cost_read_words_0,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
+      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words_0,
+      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
 
+  slice0window_leaving_0_memory_read_enable <= true;
+  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_2, 9) & to_unsigned(slice0cost_column_0_1, 9) & to_unsigned(slice0cost_column_0_0, 9);
   slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 27)
+    generic map (depth => 8, width => 27, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
+      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
+  slice0cost_read_words_0_memory_read_enable <= true;
+  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 6);
+  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice0cost_write_column, 6);
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 27);
   slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 27)
+    generic map (depth => 40, width => 27, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice0cost_write_column, write_data => slice0cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
+      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words_0,
+      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 21);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 21)
+    generic map (depth => 40, width => 21, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 28);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 28)
+    generic map (depth => 40, width => 28, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 21);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 21)
+    generic map (depth => 40, width => 21, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 28)
+    generic map (depth => 40, width => 28, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 4);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 4);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 7);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 9, width => 7)
+    generic map (depth => 9, width => 7, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 16);
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 16)
+    generic map (depth => 40, width => 16, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 16);
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 16)
+    generic map (depth => 40, width => 16, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable settings_texture_threshold_any, transform_counter_group_value, transform_counter_group_choice : boolean;
@@ -811,38 +919,74 @@ begin
       size_last_map_column <= (((size_map_last_column_value + 31) mod 32) * 2) + (in_image_width mod 2);
       -- transform
       transform_counter_group_value := ((transform_counter_group / 8) mod 2) = 1;
-      transform_counter_group_choice := (size_windows_last_group / 8) = 3 when transform_counter_group_value else
-        (size_windows_last_group / 8) = 2;
-      transform_counter_group_choice_2 := (size_windows_last_group / 8) = 1 when transform_counter_group_value else
-        (size_windows_last_group / 8) = 0;
-      transform_counter_group_choice_3 := transform_counter_group_choice when (transform_counter_group / 16) = 1 else
-        transform_counter_group_choice_2;
+      if transform_counter_group_value then
+        transform_counter_group_choice := (size_windows_last_group / 8) = 3;
+      else
+        transform_counter_group_choice := (size_windows_last_group / 8) = 2;
+      end if;
+      if transform_counter_group_value then
+        transform_counter_group_choice_2 := (size_windows_last_group / 8) = 1;
+      else
+        transform_counter_group_choice_2 := (size_windows_last_group / 8) = 0;
+      end if;
+      if (transform_counter_group / 16) = 1 then
+        transform_counter_group_choice_3 := transform_counter_group_choice;
+      else
+        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+      end if;
       transform_counter_group_value_2 := ((transform_counter_group / 2) mod 2) = 1;
-      transform_counter_group_choice_4 := (size_windows_last_group mod 4) = 3 when transform_counter_group_value_2 else
-        (size_windows_last_group mod 4) = 1;
-      transform_counter_group_choice_5 := (size_windows_last_group mod 4) = 2 when transform_counter_group_value_2 else
-        (size_windows_last_group mod 4) = 0;
-      transform_counter_group_choice_6 := transform_counter_group_choice_4 when (transform_counter_group mod 2) = 1
-        else transform_counter_group_choice_5;
+      if transform_counter_group_value_2 then
+        transform_counter_group_choice_4 := (size_windows_last_group mod 4) = 3;
+      else
+        transform_counter_group_choice_4 := (size_windows_last_group mod 4) = 1;
+      end if;
+      if transform_counter_group_value_2 then
+        transform_counter_group_choice_5 := (size_windows_last_group mod 4) = 2;
+      else
+        transform_counter_group_choice_5 := (size_windows_last_group mod 4) = 0;
+      end if;
+      if (transform_counter_group mod 2) = 1 then
+        transform_counter_group_choice_6 := transform_counter_group_choice_4;
+      else
+        transform_counter_group_choice_6 := transform_counter_group_choice_5;
+      end if;
       transform_counter_group_value_3 := ((transform_counter_group / 4) mod 2) = 1;
       transform_counter_group_value_4 := ((size_windows_last_group / 4) mod 2) = 1;
       transform_counter_group_differs := transform_counter_group_value_3 /= (not transform_counter_group_value_4);
       transform_counter_group_value_5 := ((transform_counter_column / 16) mod 2) = 1;
-      transform_counter_group_choice_7 := (size_windows_last_column / 16) = 3 when transform_counter_group_value_5 else
-        (size_windows_last_column / 16) = 2;
-      transform_counter_group_choice_8 := (size_windows_last_column / 16) = 1 when transform_counter_group_value_5 else
-        (size_windows_last_column / 16) = 0;
-      transform_counter_group_choice_9 := transform_counter_group_choice_7 when (transform_counter_column / 32) = 1
-        else transform_counter_group_choice_8;
+      if transform_counter_group_value_5 then
+        transform_counter_group_choice_7 := (size_windows_last_column / 16) = 3;
+      else
+        transform_counter_group_choice_7 := (size_windows_last_column / 16) = 2;
+      end if;
+      if transform_counter_group_value_5 then
+        transform_counter_group_choice_8 := (size_windows_last_column / 16) = 1;
+      else
+        transform_counter_group_choice_8 := (size_windows_last_column / 16) = 0;
+      end if;
+      if (transform_counter_column / 32) = 1 then
+        transform_counter_group_choice_9 := transform_counter_group_choice_7;
+      else
+        transform_counter_group_choice_9 := transform_counter_group_choice_8;
+      end if;
       transform_counter_group_value_6 := ((transform_counter_column / 2) mod 2) = 1;
       transform_counter_group_value_7 := ((transform_counter_column / 4) mod 2) = 1;
       transform_counter_group_value_8 := (size_windows_last_column / 2) mod 4;
-      transform_counter_group_choice_10 := transform_counter_group_value_8 = 3 when transform_counter_group_value_7
-        else transform_counter_group_value_8 = 1;
-      transform_counter_group_choice_11 := transform_counter_group_value_8 = 2 when transform_counter_group_value_7
-        else transform_counter_group_value_8 = 0;
-      transform_counter_group_choice_12 := transform_counter_group_choice_10 when transform_counter_group_value_6 else
-        transform_counter_group_choice_11;
+      if transform_counter_group_value_7 then
+        transform_counter_group_choice_10 := transform_counter_group_value_8 = 3;
+      else
+        transform_counter_group_choice_10 := transform_counter_group_value_8 = 1;
+      end if;
+      if transform_counter_group_value_7 then
+        transform_counter_group_choice_11 := transform_counter_group_value_8 = 2;
+      else
+        transform_counter_group_choice_11 := transform_counter_group_value_8 = 0;
+      end if;
+      if transform_counter_group_value_6 then
+        transform_counter_group_choice_12 := transform_counter_group_choice_10;
+      else
+        transform_counter_group_choice_12 := transform_counter_group_choice_11;
+      end if;
       transform_counter_group_differs_2 := ((transform_counter_column mod 2) = 1) /= (not ((size_windows_last_column
         mod 2) = 1));
       transform_counter_group_value_9 := ((size_windows_last_column / 8) mod 2) = 1;
@@ -851,59 +995,112 @@ begin
       transform_counter_group_all := transform_counter_group_choice_3 and transform_counter_group_choice_6 and
         transform_counter_group_differs and transform_counter_group_choice_9 and transform_counter_group_choice_12 and
         transform_counter_group_differs_2 and transform_counter_group_differs_3;
-      transform_counter_group_choice_13 := size_windows_groups when transform_counter_group_all else 0;
+      if transform_counter_group_all then
+        transform_counter_group_choice_13 := size_windows_groups;
+      else
+        transform_counter_group_choice_13 := 0;
+      end if;
       transform_counter_group_value_10 := ((size_map_idle / 2) mod 2) = 1;
-      transform_counter_group_choice_14 := (not transform_counter_group_value_10) or (not ((size_map_idle mod 2) = 1))
-        when transform_counter_group_value_2 else (size_map_idle mod 4) = 0;
-      transform_counter_group_choice_15 := transform_counter_group_value_2 or (not transform_counter_group_value_10)
-        when (transform_counter_group mod 2) = 1 else transform_counter_group_choice_14;
+      if transform_counter_group_value_2 then
+        transform_counter_group_choice_14 := (not transform_counter_group_value_10) or (not ((size_map_idle mod 2) =
+          1));
+      else
+        transform_counter_group_choice_14 := (size_map_idle mod 4) = 0;
+      end if;
+      if (transform_counter_group mod 2) = 1 then
+        transform_counter_group_choice_15 := transform_counter_group_value_2 or (not transform_counter_group_value_10);
+      else
+        transform_counter_group_choice_15 := transform_counter_group_choice_14;
+      end if;
       transform_counter_group_value_11 := ((size_map_idle / 4) mod 2) = 1;
-      transform_counter_group_choice_16 := (not transform_counter_group_value_3) and transform_counter_group_value_11
-        when transform_counter_group_choice_15 else (not transform_counter_group_value_3) or
-        transform_counter_group_value_11;
+      if transform_counter_group_choice_15 then
+        transform_counter_group_choice_16 := (not transform_counter_group_value_3) and transform_counter_group_value_11;
+      else
+        transform_counter_group_choice_16 := (not transform_counter_group_value_3) or transform_counter_group_value_11;
+      end if;
       transform_counter_group_value_12 := ((size_map_idle / 8) mod 2) = 1;
-      transform_counter_group_choice_17 := (not transform_counter_group_value) or transform_counter_group_value_12 when
-        transform_counter_group_choice_16 else (not transform_counter_group_value) and transform_counter_group_value_12;
-      transform_counter_group_choice_18 := transform_counter_group_choice_9 and transform_counter_group_choice_12 and
-        transform_counter_group_differs_2 and transform_counter_group_differs_3 and ((not ((transform_counter_group /
-        16) = 1)) or ((size_map_idle / 16) = 1)) when transform_counter_group_choice_17 else
-        transform_counter_group_choice_9 and transform_counter_group_choice_12 and transform_counter_group_differs_2
-        and transform_counter_group_differs_3 and (not ((transform_counter_group / 16) = 1)) and ((size_map_idle / 16)
-        = 1);
-      transform_counter_group_choice_19 := (size_windows_groups / 8) = 3 when transform_counter_group_value else
-        (size_windows_groups / 8) = 2;
-      transform_counter_group_choice_20 := (size_windows_groups / 8) = 1 when transform_counter_group_value else
-        (size_windows_groups / 8) = 0;
-      transform_counter_group_choice_21 := transform_counter_group_choice_19 when (transform_counter_group / 16) = 1
-        else transform_counter_group_choice_20;
-      transform_counter_group_choice_22 := (size_windows_groups mod 4) = 3 when transform_counter_group_value_2 else
-        (size_windows_groups mod 4) = 1;
-      transform_counter_group_choice_23 := (size_windows_groups mod 4) = 2 when transform_counter_group_value_2 else
-        (size_windows_groups mod 4) = 0;
-      transform_counter_group_choice_24 := transform_counter_group_choice_22 when (transform_counter_group mod 2) = 1
-        else transform_counter_group_choice_23;
+      if transform_counter_group_choice_16 then
+        transform_counter_group_choice_17 := (not transform_counter_group_value) or transform_counter_group_value_12;
+      else
+        transform_counter_group_choice_17 := (not transform_counter_group_value) and transform_counter_group_value_12;
+      end if;
+      if transform_counter_group_choice_17 then
+        transform_counter_group_choice_18 := transform_counter_group_choice_9 and transform_counter_group_choice_12 and
+          transform_counter_group_differs_2 and transform_counter_group_differs_3 and ((not ((transform_counter_group /
+          16) = 1)) or ((size_map_idle / 16) = 1));
+      else
+        transform_counter_group_choice_18 := transform_counter_group_choice_9 and transform_counter_group_choice_12 and
+          transform_counter_group_differs_2 and transform_counter_group_differs_3 and (not ((transform_counter_group /
+          16) = 1)) and ((size_map_idle / 16) = 1);
+      end if;
+      if transform_counter_group_value then
+        transform_counter_group_choice_19 := (size_windows_groups / 8) = 3;
+      else
+        transform_counter_group_choice_19 := (size_windows_groups / 8) = 2;
+      end if;
+      if transform_counter_group_value then
+        transform_counter_group_choice_20 := (size_windows_groups / 8) = 1;
+      else
+        transform_counter_group_choice_20 := (size_windows_groups / 8) = 0;
+      end if;
+      if (transform_counter_group / 16) = 1 then
+        transform_counter_group_choice_21 := transform_counter_group_choice_19;
+      else
+        transform_counter_group_choice_21 := transform_counter_group_choice_20;
+      end if;
+      if transform_counter_group_value_2 then
+        transform_counter_group_choice_22 := (size_windows_groups mod 4) = 3;
+      else
+        transform_counter_group_choice_22 := (size_windows_groups mod 4) = 1;
+      end if;
+      if transform_counter_group_value_2 then
+        transform_counter_group_choice_23 := (size_windows_groups mod 4) = 2;
+      else
+        transform_counter_group_choice_23 := (size_windows_groups mod 4) = 0;
+      end if;
+      if (transform_counter_group mod 2) = 1 then
+        transform_counter_group_choice_24 := transform_counter_group_choice_22;
+      else
+        transform_counter_group_choice_24 := transform_counter_group_choice_23;
+      end if;
       transform_counter_group_value_13 := ((size_windows_groups / 4) mod 2) = 1;
       transform_counter_group_differs_4 := transform_counter_group_value_3 /= (not transform_counter_group_value_13);
-      transform_counter_group_choice_25 := 1 when transform_counter_group_choice_21 and
-        transform_counter_group_choice_24 and transform_counter_group_differs_4 and transform_counter_next_frame else
-        (transform_counter_group + 1) mod 32;
-      transform_counter_group_choice_26 := transform_counter_group_choice_25 when transform_counter_group_choice_18 and
-        in_valid else transform_counter_group;
+      if transform_counter_group_choice_21 and transform_counter_group_choice_24 and transform_counter_group_differs_4
+        and transform_counter_next_frame then
+        transform_counter_group_choice_25 := 1;
+      else
+        transform_counter_group_choice_25 := (transform_counter_group + 1) mod 32;
+      end if;
+      if transform_counter_group_choice_18 and in_valid then
+        transform_counter_group_choice_26 := transform_counter_group_choice_25;
+      else
+        transform_counter_group_choice_26 := transform_counter_group;
+      end if;
       transform_read_row_inside_0_difference := transform_counter_group - size_windows_groups;
       transform_read_row_inside_0_is_less := transform_read_row_inside_0_difference < 2;
-      transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
-        (transform_left_filter_slope_0 + 31) mod 128;
-      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-31) else
-        transform_left_filter_feature_0_choice;
-      transform_right_filter_feature_0_choice := 62 when 31 < transform_right_filter_slope_0 else
-        (transform_right_filter_slope_0 + 31) mod 128;
-      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-31) else
-        transform_right_filter_feature_0_choice;
+      if 31 < transform_left_filter_slope_0 then
+        transform_left_filter_feature_0_choice := 62;
+      else
+        transform_left_filter_feature_0_choice := (transform_left_filter_slope_0 + 31) mod 128;
+      end if;
+      if transform_left_filter_slope_0 < (-31) then
+        transform_left_filter_feature_0_choice_2 := 0;
+      else
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      end if;
+      if 31 < transform_right_filter_slope_0 then
+        transform_right_filter_feature_0_choice := 62;
+      else
+        transform_right_filter_feature_0_choice := (transform_right_filter_slope_0 + 31) mod 128;
+      end if;
+      if transform_right_filter_slope_0 < (-31) then
+        transform_right_filter_feature_0_choice_2 := 0;
+      else
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice_13 when in_valid and in_start_of_frame else
-        transform_counter_group_choice_26;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -911,14 +1108,10 @@ begin
       transform_right_rows_ready_words_0 <= to_integer(transform_right_rows_read_words_0);
       transform_right_rows_ready_newest_0 <= transform_right_rows_read_newest_0;
       transform_read_column <= transform_counter_column;
-      transform_read_row_inside_0 <= transform_read_row_inside_0_is_less and transform_counter_group_value_2 when
-        (transform_counter_group / 4) = 0 else transform_read_row_inside_0_is_less;
       transform_read_row_inside_2 <= transform_read_row_inside_0_difference < 0;
       transform_read_column_inside_0 <= ((transform_counter_column / 4) /= 0) or transform_counter_group_value_6 or
         ((transform_counter_column mod 2) = 1);
       transform_read_column_inside_1 <= true;
-      transform_read_column_inside_2 <= (transform_counter_column = 0) /= ((transform_counter_column / 32) = 1) when
-        ((transform_counter_column / 2) mod 16) = 0 else transform_counter_column /= 0;
       transform_read_start_of_frame <= (transform_counter_column = 1) and (transform_counter_group = 1);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
@@ -942,11 +1135,7 @@ begin
       transform_columns_valid <= transform_ready_valid;
       transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
       transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
-      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
-        31;
       transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
-      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
-        else 31;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -955,18 +1144,48 @@ begin
       transform_filtering_1_valid <= transform_filtering_0_valid;
       transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
       transform_filtering_2_valid <= transform_filtering_1_valid;
-      transform_counter_next_frame_choice := (not (transform_counter_group_choice_21 and
-        transform_counter_group_choice_24 and transform_counter_group_differs_4)) and transform_counter_next_frame when
-        transform_counter_group_choice_18 else transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= transform_counter_group_choice_13;
+      else
+        transform_counter_group <= transform_counter_group_choice_26;
+      end if;
+      if (transform_counter_group / 4) = 0 then
+        transform_read_row_inside_0 <= transform_read_row_inside_0_is_less and transform_counter_group_value_2;
+      else
+        transform_read_row_inside_0 <= transform_read_row_inside_0_is_less;
+      end if;
+      if ((transform_counter_column / 2) mod 16) = 0 then
+        transform_read_column_inside_2 <= (transform_counter_column = 0) /= ((transform_counter_column / 32) = 1);
+      else
+        transform_read_column_inside_2 <= transform_counter_column /= 0;
+      end if;
+      if transform_left_filter_whole then
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2;
+      else
+        transform_left_filter_feature_0 <= 31;
+        transform_right_filter_feature_0 <= 31;
+      end if;
+      if transform_counter_group_choice_18 then
+        transform_counter_next_frame_choice := (not (transform_counter_group_choice_21 and
+          transform_counter_group_choice_24 and transform_counter_group_differs_4)) and transform_counter_next_frame;
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when (transform_counter_group_choice_9 and transform_counter_group_choice_12 and
-          transform_counter_group_differs_2 and transform_counter_group_differs_3) or in_start_of_frame else
-          (transform_counter_column + 1) mod 64;
-        transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame) when
-          transform_counter_next_frame_choice else transform_counter_group_choice_3 and
-          transform_counter_group_choice_6 and transform_counter_group_differs and transform_counter_group_choice_9 and
-          transform_counter_group_choice_12 and transform_counter_group_differs_2 and transform_counter_group_differs_3
-          and in_start_of_frame;
+        if (transform_counter_group_choice_9 and transform_counter_group_choice_12 and
+          transform_counter_group_differs_2 and transform_counter_group_differs_3) or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 64;
+        end if;
+        if transform_counter_next_frame_choice then
+          transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame);
+        else
+          transform_counter_next_frame <= transform_counter_group_choice_3 and transform_counter_group_choice_6 and
+            transform_counter_group_differs and transform_counter_group_choice_9 and transform_counter_group_choice_12
+            and transform_counter_group_differs_2 and transform_counter_group_differs_3 and in_start_of_frame;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_newest_0 * 256) +
@@ -975,18 +1194,36 @@ begin
           (transform_right_rows_ready_words_0 / 256);
         transform_write_column <= transform_ready_column;
       end if;
-      transform_left_filter_column_0_0_choice := transform_left_column_0 when transform_columns_row_inside_0 else
-        transform_left_column_2;
-      transform_left_filter_column_0_0_choice_2 := transform_left_column_2 when transform_columns_row_inside_2 else
-        transform_left_column_0;
-      transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1 when
-        transform_columns_row_inside_2 else (transform_left_column_0 mod 2) = 1;
-      transform_right_filter_column_0_0_choice := transform_right_column_0 when transform_columns_row_inside_0 else
-        transform_right_column_2;
-      transform_right_filter_column_0_0_choice_2 := transform_right_column_2 when transform_columns_row_inside_2 else
-        transform_right_column_0;
-      transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1 when
-        transform_columns_row_inside_2 else (transform_right_column_0 mod 2) = 1;
+      if transform_columns_row_inside_0 then
+        transform_left_filter_column_0_0_choice := transform_left_column_0;
+      else
+        transform_left_filter_column_0_0_choice := transform_left_column_2;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_2;
+      else
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_0;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1;
+      else
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_0 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_0 then
+        transform_right_filter_column_0_0_choice := transform_right_column_0;
+      else
+        transform_right_filter_column_0_0_choice := transform_right_column_2;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_2;
+      else
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_0;
+      end if;
+      if transform_columns_row_inside_2 then
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1;
+      else
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_0 mod 2) = 1;
+      end if;
       if transform_columns_valid then
         transform_left_filter_column_0_0 <= transform_left_filter_column_0_0_choice +
           (((transform_left_filter_column_0_0_choice_2 / 2) + transform_left_column_1) * 2) +
@@ -1003,99 +1240,177 @@ begin
       raster_place_group_value := ((size_windows_last_column / 16) mod 2) = 1;
       raster_place_group_is_equal := (raster_place_column / 16) = 3;
       raster_place_group_is_equal_2 := (raster_place_column / 16) = 2;
-      raster_place_group_choice := raster_place_group_is_equal when raster_place_group_value else
-        raster_place_group_is_equal_2;
+      if raster_place_group_value then
+        raster_place_group_choice := raster_place_group_is_equal;
+      else
+        raster_place_group_choice := raster_place_group_is_equal_2;
+      end if;
       raster_place_group_is_equal_3 := (raster_place_column / 16) = 1;
       raster_place_group_is_equal_4 := (raster_place_column / 16) = 0;
-      raster_place_group_choice_2 := raster_place_group_is_equal_3 when raster_place_group_value else
-        raster_place_group_is_equal_4;
-      raster_place_group_choice_3 := raster_place_group_choice when (size_windows_last_column / 32) = 1 else
-        raster_place_group_choice_2;
+      if raster_place_group_value then
+        raster_place_group_choice_2 := raster_place_group_is_equal_3;
+      else
+        raster_place_group_choice_2 := raster_place_group_is_equal_4;
+      end if;
+      if (size_windows_last_column / 32) = 1 then
+        raster_place_group_choice_3 := raster_place_group_choice;
+      else
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      end if;
       raster_place_group_value_2 := ((size_windows_last_column / 2) mod 2) = 1;
       raster_place_group_value_3 := (raster_place_column / 2) mod 4;
       raster_place_group_is_equal_5 := raster_place_group_value_3 = 3;
       raster_place_group_is_equal_6 := raster_place_group_value_3 = 2;
-      raster_place_group_choice_4 := raster_place_group_is_equal_5 when raster_place_group_value_2 else
-        raster_place_group_is_equal_6;
+      if raster_place_group_value_2 then
+        raster_place_group_choice_4 := raster_place_group_is_equal_5;
+      else
+        raster_place_group_choice_4 := raster_place_group_is_equal_6;
+      end if;
       raster_place_group_is_equal_7 := raster_place_group_value_3 = 1;
       raster_place_group_is_equal_8 := raster_place_group_value_3 = 0;
-      raster_place_group_choice_5 := raster_place_group_is_equal_7 when raster_place_group_value_2 else
-        raster_place_group_is_equal_8;
-      raster_place_group_choice_6 := raster_place_group_choice_4 when ((size_windows_last_column / 4) mod 2) = 1 else
-        raster_place_group_choice_5;
+      if raster_place_group_value_2 then
+        raster_place_group_choice_5 := raster_place_group_is_equal_7;
+      else
+        raster_place_group_choice_5 := raster_place_group_is_equal_8;
+      end if;
+      if ((size_windows_last_column / 4) mod 2) = 1 then
+        raster_place_group_choice_6 := raster_place_group_choice_4;
+      else
+        raster_place_group_choice_6 := raster_place_group_choice_5;
+      end if;
       raster_place_group_differs := ((size_windows_last_column mod 2) = 1) /= (not ((raster_place_column mod 2) = 1));
       raster_place_group_value_4 := ((raster_place_column / 8) mod 2) = 1;
       raster_place_group_differs_2 := transform_counter_group_value_9 /= (not raster_place_group_value_4);
       raster_place_group_any := (not (((raster_place_group / 2) mod 2) = 1)) or (not ((raster_place_group mod 2) = 1));
-      raster_place_group_choice_7 := raster_place_group_any when (size_windows_idle mod 2) = 1 else not
-        (((raster_place_group / 2) mod 2) = 1);
-      raster_place_group_choice_8 := raster_place_group_choice_7 when ((size_windows_idle / 2) mod 2) = 1 else
-        ((size_windows_idle mod 2) = 1) and ((raster_place_group mod 4) = 0);
+      if (size_windows_idle mod 2) = 1 then
+        raster_place_group_choice_7 := raster_place_group_any;
+      else
+        raster_place_group_choice_7 := not (((raster_place_group / 2) mod 2) = 1);
+      end if;
+      if ((size_windows_idle / 2) mod 2) = 1 then
+        raster_place_group_choice_8 := raster_place_group_choice_7;
+      else
+        raster_place_group_choice_8 := ((size_windows_idle mod 2) = 1) and ((raster_place_group mod 4) = 0);
+      end if;
       raster_place_group_value_5 := ((raster_place_group / 4) mod 2) = 1;
-      raster_place_group_choice_9 := (not (((size_windows_idle / 4) mod 2) = 1)) and raster_place_group_value_5 when
-        raster_place_group_choice_8 else (not (((size_windows_idle / 4) mod 2) = 1)) or raster_place_group_value_5;
+      if raster_place_group_choice_8 then
+        raster_place_group_choice_9 := (not (((size_windows_idle / 4) mod 2) = 1)) and raster_place_group_value_5;
+      else
+        raster_place_group_choice_9 := (not (((size_windows_idle / 4) mod 2) = 1)) or raster_place_group_value_5;
+      end if;
       raster_place_group_value_6 := ((raster_place_group / 8) mod 2) = 1;
-      raster_place_group_choice_10 := (not (((size_windows_idle / 8) mod 2) = 1)) or raster_place_group_value_6 when
-        raster_place_group_choice_9 else (not (((size_windows_idle / 8) mod 2) = 1)) and raster_place_group_value_6;
-      raster_place_group_choice_11 := (not ((size_windows_idle / 16) = 1)) or ((raster_place_group / 16) = 1) when
-        raster_place_group_choice_10 else (not ((size_windows_idle / 16) = 1)) and ((raster_place_group / 16) = 1);
+      if raster_place_group_choice_9 then
+        raster_place_group_choice_10 := (not (((size_windows_idle / 8) mod 2) = 1)) or raster_place_group_value_6;
+      else
+        raster_place_group_choice_10 := (not (((size_windows_idle / 8) mod 2) = 1)) and raster_place_group_value_6;
+      end if;
+      if raster_place_group_choice_10 then
+        raster_place_group_choice_11 := (not ((size_windows_idle / 16) = 1)) or ((raster_place_group / 16) = 1);
+      else
+        raster_place_group_choice_11 := (not ((size_windows_idle / 16) = 1)) and ((raster_place_group / 16) = 1);
+      end if;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_reference_0 <= transform_right_filter_feature_0;
       raster_features_valid <= transform_filtering_2_valid;
-      raster_place_group <= 0 when transform_filtering_2_valid and transform_filtering_2_start_of_frame else
-        (raster_place_group + as_number((raster_place_group_choice_3 and raster_place_group_choice_6 and
-        raster_place_group_differs and raster_place_group_differs_2 and (not raster_place_group_choice_11) and
-        transform_filtering_2_valid))) mod 32;
+      if transform_filtering_2_valid and transform_filtering_2_start_of_frame then
+        raster_place_group <= 0;
+      else
+        raster_place_group <= (raster_place_group + as_number((raster_place_group_choice_3 and
+          raster_place_group_choice_6 and raster_place_group_differs and raster_place_group_differs_2 and (not
+          raster_place_group_choice_11) and transform_filtering_2_valid))) mod 32;
+      end if;
       if transform_filtering_2_valid then
-        raster_place_column <= 0 when (raster_place_group_choice_3 and raster_place_group_choice_6 and
-          raster_place_group_differs and raster_place_group_differs_2) or transform_filtering_2_start_of_frame else
-          (raster_place_column + 1) mod 64;
+        if (raster_place_group_choice_3 and raster_place_group_choice_6 and raster_place_group_differs and
+          raster_place_group_differs_2) or transform_filtering_2_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 64;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 8 else (delay_ring_read_address + 1) mod 16;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 8 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 16;
+        end if;
       end if;
       delay_row_inside_0_difference := raster_place_group - size_windows_groups;
       delay_row_inside_0_is_less := delay_row_inside_0_difference < 7;
       delay_tag_first_cost_is_equal := raster_place_column = 8;
       delay_tag_map_column_value := ((size_last_map_column / 2) mod 2) = 1;
-      delay_tag_map_column_choice := not (((raster_place_column / 2) mod 2) = 1) when (size_last_map_column mod 2) = 1
-        else (raster_place_column mod 4) = 0;
-      delay_tag_map_column_choice_2 := ((size_last_map_column mod 2) = 1) or (not (((raster_place_column / 2) mod 2) =
-        1)) or (not ((raster_place_column mod 2) = 1)) when delay_tag_map_column_value else delay_tag_map_column_choice;
+      if (size_last_map_column mod 2) = 1 then
+        delay_tag_map_column_choice := not (((raster_place_column / 2) mod 2) = 1);
+      else
+        delay_tag_map_column_choice := (raster_place_column mod 4) = 0;
+      end if;
+      if delay_tag_map_column_value then
+        delay_tag_map_column_choice_2 := ((size_last_map_column mod 2) = 1) or (not (((raster_place_column / 2) mod 2)
+          = 1)) or (not ((raster_place_column mod 2) = 1));
+      else
+        delay_tag_map_column_choice_2 := delay_tag_map_column_choice;
+      end if;
       delay_tag_map_column_value_2 := ((size_last_map_column / 4) mod 2) = 1;
       delay_tag_map_column_value_3 := ((raster_place_column / 4) mod 2) = 1;
-      delay_tag_map_column_choice_3 := (not delay_tag_map_column_value_2) and delay_tag_map_column_value_3 when
-        delay_tag_map_column_choice_2 else (not delay_tag_map_column_value_2) or delay_tag_map_column_value_3;
+      if delay_tag_map_column_choice_2 then
+        delay_tag_map_column_choice_3 := (not delay_tag_map_column_value_2) and delay_tag_map_column_value_3;
+      else
+        delay_tag_map_column_choice_3 := (not delay_tag_map_column_value_2) or delay_tag_map_column_value_3;
+      end if;
       delay_tag_map_column_value_4 := ((size_last_map_column / 8) mod 2) = 1;
-      delay_tag_map_column_choice_4 := (not delay_tag_map_column_value_4) or raster_place_group_value_4 when
-        delay_tag_map_column_choice_3 else (not delay_tag_map_column_value_4) and raster_place_group_value_4;
+      if delay_tag_map_column_choice_3 then
+        delay_tag_map_column_choice_4 := (not delay_tag_map_column_value_4) or raster_place_group_value_4;
+      else
+        delay_tag_map_column_choice_4 := (not delay_tag_map_column_value_4) and raster_place_group_value_4;
+      end if;
       delay_tag_map_column_value_5 := ((size_last_map_column / 16) mod 2) = 1;
       delay_tag_map_column_value_6 := ((raster_place_column / 16) mod 2) = 1;
-      delay_tag_map_column_choice_5 := (not delay_tag_map_column_value_5) or delay_tag_map_column_value_6 when
-        delay_tag_map_column_choice_4 else (not delay_tag_map_column_value_5) and delay_tag_map_column_value_6;
+      if delay_tag_map_column_choice_4 then
+        delay_tag_map_column_choice_5 := (not delay_tag_map_column_value_5) or delay_tag_map_column_value_6;
+      else
+        delay_tag_map_column_choice_5 := (not delay_tag_map_column_value_5) and delay_tag_map_column_value_6;
+      end if;
       delay_tag_map_column_differs := (raster_place_column / 8) /= 0;
-      delay_tag_map_column_choice_6 := delay_tag_map_column_differs and ((size_last_map_column / 32) = 1) and (not
-        ((raster_place_column / 32) = 1)) when delay_tag_map_column_choice_5 else delay_tag_map_column_differs and
-        (((size_last_map_column / 32) = 1) or (not ((raster_place_column / 32) = 1)));
-      delay_tag_end_of_line_choice := raster_place_group_is_equal when delay_tag_map_column_value_5 else
-        raster_place_group_is_equal_2;
-      delay_tag_end_of_line_choice_2 := raster_place_group_is_equal_3 when delay_tag_map_column_value_5 else
-        raster_place_group_is_equal_4;
-      delay_tag_end_of_line_choice_3 := delay_tag_end_of_line_choice when (size_last_map_column / 32) = 1 else
-        delay_tag_end_of_line_choice_2;
-      delay_tag_end_of_line_choice_4 := raster_place_group_is_equal_5 when delay_tag_map_column_value else
-        raster_place_group_is_equal_6;
-      delay_tag_end_of_line_choice_5 := raster_place_group_is_equal_7 when delay_tag_map_column_value else
-        raster_place_group_is_equal_8;
-      delay_tag_end_of_line_choice_6 := delay_tag_end_of_line_choice_4 when delay_tag_map_column_value_2 else
-        delay_tag_end_of_line_choice_5;
+      if delay_tag_map_column_choice_5 then
+        delay_tag_map_column_choice_6 := delay_tag_map_column_differs and ((size_last_map_column / 32) = 1) and (not
+          ((raster_place_column / 32) = 1));
+      else
+        delay_tag_map_column_choice_6 := delay_tag_map_column_differs and (((size_last_map_column / 32) = 1) or (not
+          ((raster_place_column / 32) = 1)));
+      end if;
+      if delay_tag_map_column_value_5 then
+        delay_tag_end_of_line_choice := raster_place_group_is_equal;
+      else
+        delay_tag_end_of_line_choice := raster_place_group_is_equal_2;
+      end if;
+      if delay_tag_map_column_value_5 then
+        delay_tag_end_of_line_choice_2 := raster_place_group_is_equal_3;
+      else
+        delay_tag_end_of_line_choice_2 := raster_place_group_is_equal_4;
+      end if;
+      if (size_last_map_column / 32) = 1 then
+        delay_tag_end_of_line_choice_3 := delay_tag_end_of_line_choice;
+      else
+        delay_tag_end_of_line_choice_3 := delay_tag_end_of_line_choice_2;
+      end if;
+      if delay_tag_map_column_value then
+        delay_tag_end_of_line_choice_4 := raster_place_group_is_equal_5;
+      else
+        delay_tag_end_of_line_choice_4 := raster_place_group_is_equal_6;
+      end if;
+      if delay_tag_map_column_value then
+        delay_tag_end_of_line_choice_5 := raster_place_group_is_equal_7;
+      else
+        delay_tag_end_of_line_choice_5 := raster_place_group_is_equal_8;
+      end if;
+      if delay_tag_map_column_value_2 then
+        delay_tag_end_of_line_choice_6 := delay_tag_end_of_line_choice_4;
+      else
+        delay_tag_end_of_line_choice_6 := delay_tag_end_of_line_choice_5;
+      end if;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= delay_row_inside_0_is_less and raster_place_group_value_6 when (not ((raster_place_group /
-        16) = 1)) and ((not raster_place_group_value_5) or (not (((raster_place_group / 2) mod 2) = 1)) or (not
-        ((raster_place_group mod 2) = 1))) else delay_row_inside_0_is_less;
       delay_row_inside_1 <= delay_row_inside_0_difference < 0;
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= raster_place_column = 0;
@@ -1104,13 +1419,22 @@ begin
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_leaves_window <= ((raster_place_column + 65521) mod 65536) < 65524;
       delay_tag_map_column <= delay_tag_map_column_choice_6;
-      delay_tag_output_column <= (not raster_place_group_choice_11) and delay_tag_map_column_choice_6 and
-        raster_place_group_value_5 when raster_place_group_any and ((raster_place_group / 8) = 0) else (not
-        raster_place_group_choice_11) and delay_tag_map_column_choice_6;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 3);
       delay_tag_end_of_line <= delay_tag_end_of_line_choice_3 and delay_tag_end_of_line_choice_6 and
         (((size_last_map_column mod 2) = 1) /= (not ((raster_place_column mod 2) = 1))) and
         (delay_tag_map_column_value_4 /= (not raster_place_group_value_4));
+      if (not ((raster_place_group / 16) = 1)) and ((not raster_place_group_value_5) or (not (((raster_place_group / 2)
+        mod 2) = 1)) or (not ((raster_place_group mod 2) = 1))) then
+        delay_row_inside_0 <= delay_row_inside_0_is_less and raster_place_group_value_6;
+      else
+        delay_row_inside_0 <= delay_row_inside_0_is_less;
+      end if;
+      if raster_place_group_any and ((raster_place_group / 8) = 0) then
+        delay_tag_output_column <= (not raster_place_group_choice_11) and delay_tag_map_column_choice_6 and
+          raster_place_group_value_5;
+      else
+        delay_tag_output_column <= (not raster_place_group_choice_11) and delay_tag_map_column_choice_6;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -1146,10 +1470,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_newest_0 when rows_ready_inside_1 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_1 else 0;
       rows_inside_0 <= rows_ready_inside_0;
       rows_inside_1 <= rows_ready_inside_1;
       rows_tag_valid <= rows_ready_tag_valid;
@@ -1162,6 +1482,20 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 128;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_newest_0;
+        rows_reference_1 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 128) + ((rows_search_rows_ready_words_1 mod
           128) * 2097152);
@@ -1197,16 +1531,36 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 mod 512;
-      slice0cost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_0 +
-        slice0cost_column_0_0_choice) mod 512;
-      slice0cost_column_0_1_choice := 0 when slice0cost_ready_tag_first_group else (slice0cost_ready_words_0 / 512) mod
-        512;
-      slice0cost_column_0_1_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_1_choice +
-        slice0cost_change_0_1) mod 512;
-      slice0cost_column_0_2_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 / 262144;
-      slice0cost_column_0_2_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_2_choice +
-        slice0cost_change_0_2) mod 512;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_0_choice := 0;
+      else
+        slice0cost_column_0_0_choice := slice0cost_ready_words_0 mod 512;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_0_choice_2 := 0;
+      else
+        slice0cost_column_0_0_choice_2 := (slice0cost_change_0_0 + slice0cost_column_0_0_choice) mod 512;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_1_choice := 0;
+      else
+        slice0cost_column_0_1_choice := (slice0cost_ready_words_0 / 512) mod 512;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_1_choice_2 := 0;
+      else
+        slice0cost_column_0_1_choice_2 := (slice0cost_column_0_1_choice + slice0cost_change_0_1) mod 512;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_2_choice := 0;
+      else
+        slice0cost_column_0_2_choice := slice0cost_ready_words_0 / 262144;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_2_choice_2 := 0;
+      else
+        slice0cost_column_0_2_choice_2 := (slice0cost_column_0_2_choice + slice0cost_change_0_2) mod 512;
+      end if;
       slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -1267,7 +1621,11 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
       if slice0shift_tag_valid then
-        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 64;
+        if slice0shift_tag_row_start then
+          slice0cost_read_column <= 0;
+        else
+          slice0cost_read_column <= (slice0cost_read_column + 1) mod 64;
+        end if;
       end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_column <= slice0cost_ready_column;
@@ -1276,9 +1634,12 @@ begin
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 7 else
-          (slice0window_ring_read_address + 1) mod 8;
         slice0window_ring_write_address <= slice0window_ring_read_address;
+        if slice0window_ring_read_address = 7 then
+          slice0window_ring_read_address <= 0;
+        else
+          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice0window_entering_tag_leaves_window then
         slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(8 downto 0));
@@ -1324,9 +1685,21 @@ begin
       slice0window_tag_valid <= slice0window_change_tag_valid;
       slice0window_tag_output_column <= slice0window_centre_output_column_2;
       slice0window_tag_first_column <= slice0window_centre_first_column_2;
-      slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
-      slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
-      slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_0_choice := 0;
+      else
+        slice0window_sum_0_0_choice := slice0window_sum_0_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_1_choice := 0;
+      else
+        slice0window_sum_0_1_choice := slice0window_sum_0_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_2_choice := 0;
+      else
+        slice0window_sum_0_2_choice := slice0window_sum_0_2;
+      end if;
       if slice0window_change_tag_valid then
         slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 4096;
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 4096;
@@ -1345,15 +1718,33 @@ begin
       -- slice0other
       slice0other_cost_0_0_all := slice0window_tag_output_column and (((slice0other_cost_0_1 - slice0window_sum_0_0) >=
         0) or slice0window_tag_first_column);
-      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0other_cost_0_2 - slice0window_sum_0_1)
-        >= 0 else slice0window_tag_output_column and slice0window_tag_first_column;
+      if (slice0other_cost_0_2 - slice0window_sum_0_1) >= 0 then
+        slice0other_cost_0_1_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_1_choice := slice0window_tag_output_column and slice0window_tag_first_column;
+      end if;
       if slice0window_tag_valid then
-        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0other_cost_0_0_all else slice0other_cost_0_1;
-        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_2;
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0window_tag_output_column else 0;
-        slice0other_winner_0_0 <= 5 when slice0other_cost_0_0_all else slice0other_winner_0_1;
-        slice0other_winner_0_1 <= 6 when slice0other_cost_0_1_choice else slice0other_winner_0_2;
-        slice0other_winner_0_2 <= 7 when slice0window_tag_output_column else 0;
+        if slice0other_cost_0_0_all then
+          slice0other_cost_0_0 <= slice0window_sum_0_0;
+          slice0other_winner_0_0 <= 5;
+        else
+          slice0other_cost_0_0 <= slice0other_cost_0_1;
+          slice0other_winner_0_0 <= slice0other_winner_0_1;
+        end if;
+        if slice0other_cost_0_1_choice then
+          slice0other_cost_0_1 <= slice0window_sum_0_1;
+          slice0other_winner_0_1 <= 6;
+        else
+          slice0other_cost_0_1 <= slice0other_cost_0_2;
+          slice0other_winner_0_1 <= slice0other_winner_0_2;
+        end if;
+        if slice0window_tag_output_column then
+          slice0other_cost_0_2 <= slice0window_sum_0_2;
+          slice0other_winner_0_2 <= 7;
+        else
+          slice0other_cost_0_2 <= 0;
+          slice0other_winner_0_2 <= 0;
+        end if;
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0_0;
       slice0other_winner_out_0 <= slice0other_winner_0_0;
@@ -1362,17 +1753,22 @@ begin
       slice0winner1_held_0_0 <= slice0window_sum_0_0;
       slice0winner1_held_0_1 <= slice0window_sum_0_1;
       slice0winner1_held_0_2 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
       slice0winner1_best_index_0_1 <= 2;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
       slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
       slice0winner1_best_late_cost_0_1 <= slice0winner1_held_0_2;
       slice0winner1_best_but_first_0_0 <= slice0winner1_held_0_1;
       slice0winner1_best_but_last_0_0 <= slice0winner1_held_0_0;
       slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+      end if;
       if slice0winner1_tag_valid then
         slice0winner1_tag_map_column <= slice2window_centre_map_column_1;
         slice0winner1_tag_output_column <= slice2window_centre_output_column_1;
@@ -1382,38 +1778,59 @@ begin
       end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_held_0_2 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1 when (not slice0winner2_best_at_end_0_0)
-        and (not slice0winner2_best_at_start_0_0) else 4095;
-      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_at_start_0_0
-        else 4095;
-      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0 when slice0winner2_best_place_0_0 else
-        slice0winner2_best_second_0_0_choice_2;
-      slice0winner2_best_cost_0_0 <= slice0winner1_held_0_2 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_below_0_0 <= slice0winner1_held_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_below_0_0;
-      slice0winner2_best_above_0_0 <= 0 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner2_best_above_0_0_choice;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
+      if (not slice0winner2_best_at_end_0_0) and (not slice0winner2_best_at_start_0_0) then
+        slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1;
+      else
+        slice0winner2_best_second_0_0_choice := 4095;
+      end if;
+      if slice0winner2_best_at_start_0_0 then
+        slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_late_cost_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_2 := 4095;
+      end if;
+      if slice0winner2_best_place_0_0 then
+        slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_but_last_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_3 := slice0winner2_best_second_0_0_choice_2;
+      end if;
       slice0winner2_best_first_0_0 <= slice0winner1_held_0_0;
       slice0winner2_best_place_0_0 <= slice0winner2_best_cost_0_0_is_less and transform_read_column_inside_1;
       slice0winner2_best_at_start_0_0 <= slice0winner2_best_cost_0_0_is_less;
       slice0winner2_best_at_end_0_0 <= slice0winner1_best_index_0_0 and ((slice0winner1_held_0_2 -
         slice0winner1_best_cost_0_0) >= 0);
       slice0winner2_best_late_cost_0_0 <= slice0winner2_best_cost_0_0;
-      slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice when (slice0winner2_best_second_0_0_choice
-        - slice0winner2_best_second_0_0_choice_3) < 0 else slice0winner2_best_second_0_0_choice_3;
-      slice0winner2_best_but_first_0_0 <= slice0winner1_best_late_cost_0_1 when (slice0winner1_best_late_cost_0_1 -
-        slice0winner1_best_but_first_0_0) < 0 else slice0winner1_best_but_first_0_0;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_first_column <= slice0winner1_tag_first_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_held_0_2;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner1_held_0_1;
+        slice0winner2_best_above_0_0 <= 0;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      end if;
+      if (slice0winner2_best_second_0_0_choice - slice0winner2_best_second_0_0_choice_3) < 0 then
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice;
+      else
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_3;
+      end if;
+      if (slice0winner1_best_late_cost_0_1 - slice0winner1_best_but_first_0_0) < 0 then
+        slice0winner2_best_but_first_0_0 <= slice0winner1_best_late_cost_0_1;
+      else
+        slice0winner2_best_but_first_0_0 <= slice0winner1_best_but_first_0_0;
+      end if;
       -- slice0
       slice0_best_index_0_0 <= slice0winner2_best_index_0_0 + 5;
       slice0_best_below_0_0 <= slice0winner2_best_below_0_0;
@@ -1441,15 +1858,36 @@ begin
       slice1shift_search_out_0 <= slice1shift_search_0_0;
       slice1shift_search_out_1 <= slice1shift_search_1_0;
       -- slice1cost
-      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 mod 512;
-      slice1cost_column_0_0_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_0 +
-        slice1cost_column_0_0_choice) mod 512;
-      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_0 / 512) mod 512;
-      slice1cost_column_0_1_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_column_0_1_choice +
-        slice1cost_change_0_1) mod 512;
-      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 / 262144;
-      slice1cost_column_0_2_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_column_0_2_choice +
-        slice1cost_change_0_2) mod 512;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_0_choice := 0;
+      else
+        slice1cost_column_0_0_choice := slice1cost_ready_words_0 mod 512;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0_choice_2 := 0;
+      else
+        slice1cost_column_0_0_choice_2 := (slice1cost_change_0_0 + slice1cost_column_0_0_choice) mod 512;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_1_choice := 0;
+      else
+        slice1cost_column_0_1_choice := (slice1cost_ready_words_0 / 512) mod 512;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_1_choice_2 := 0;
+      else
+        slice1cost_column_0_1_choice_2 := (slice1cost_column_0_1_choice + slice1cost_change_0_1) mod 512;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_2_choice := 0;
+      else
+        slice1cost_column_0_2_choice := slice1cost_ready_words_0 / 262144;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_2_choice_2 := 0;
+      else
+        slice1cost_column_0_2_choice_2 := (slice1cost_column_0_2_choice + slice1cost_change_0_2) mod 512;
+      end if;
       slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_pixels_first_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -1472,10 +1910,18 @@ begin
       slice1cost_column_0_2 <= slice1cost_column_0_2_choice_2;
       slice1cost_write_column <= slice1cost_ready_column;
       if slice0cost_pixels_first_tag_valid then
-        slice1cost_read_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice1cost_read_column + 1) mod 64;
+        if slice0cost_pixels_first_tag_row_start then
+          slice1cost_read_column <= 0;
+        else
+          slice1cost_read_column <= (slice1cost_read_column + 1) mod 64;
+        end if;
       end if;
       if slice0cost_pixels_tag_valid then
-        slice1cost_change_column <= 0 when slice0cost_pixels_tag_row_start else (slice1cost_change_column + 1) mod 64;
+        if slice0cost_pixels_tag_row_start then
+          slice1cost_change_column <= 0;
+        else
+          slice1cost_change_column <= (slice1cost_change_column + 1) mod 64;
+        end if;
       end if;
       if slice0cost_tag_valid then
         slice1cost_write_words_0 <= (slice1cost_column_0_1_choice_2 * 512) + slice1cost_column_0_0_choice_2 +
@@ -1483,9 +1929,12 @@ begin
       end if;
       -- slice1window
       if slice0window_entering_tag_valid then
-        slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 7 else
-          (slice1window_ring_read_address + 1) mod 8;
         slice1window_ring_write_address <= slice1window_ring_read_address;
+        if slice1window_ring_read_address = 7 then
+          slice1window_ring_read_address <= 0;
+        else
+          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice0window_change_tag_leaves_window then
         slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(8 downto 0));
@@ -1517,9 +1966,21 @@ begin
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
       slice1window_tag_output_column <= slice1window_centre_output_column_2;
       slice1window_tag_first_column <= slice1window_centre_first_column_2;
-      slice1window_sum_0_0_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_0;
-      slice1window_sum_0_1_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_1;
-      slice1window_sum_0_2_choice := 0 when slice1window_change_tag_first_cost else slice1window_sum_0_2;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_0_choice := 0;
+      else
+        slice1window_sum_0_0_choice := slice1window_sum_0_0;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_1_choice := 0;
+      else
+        slice1window_sum_0_1_choice := slice1window_sum_0_1;
+      end if;
+      if slice1window_change_tag_first_cost then
+        slice1window_sum_0_2_choice := 0;
+      else
+        slice1window_sum_0_2_choice := slice1window_sum_0_2;
+      end if;
       if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 4096;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 4096;
@@ -1533,17 +1994,38 @@ begin
       slice1other_cost_0_0_any := (not slice1window_tag_output_column) or ((not slice1window_tag_first_column) and
         ((slice1other_cost_0_1 - slice1window_sum_0_0) < 0));
       slice1other_cost_0_1_any := (not slice1window_tag_output_column) or (not slice1window_tag_first_column);
-      slice1other_cost_0_1_choice := not slice1window_tag_output_column when (slice1other_cost_0_2 -
-        slice1window_sum_0_1) >= 0 else slice1other_cost_0_1_any;
-      slice1other_cost_0_2_choice := not slice1window_tag_output_column when (slice0other_cost_out_0 -
-        slice1window_sum_0_2) >= 0 else slice1other_cost_0_1_any;
+      if (slice1other_cost_0_2 - slice1window_sum_0_1) >= 0 then
+        slice1other_cost_0_1_choice := not slice1window_tag_output_column;
+      else
+        slice1other_cost_0_1_choice := slice1other_cost_0_1_any;
+      end if;
+      if (slice0other_cost_out_0 - slice1window_sum_0_2) >= 0 then
+        slice1other_cost_0_2_choice := not slice1window_tag_output_column;
+      else
+        slice1other_cost_0_2_choice := slice1other_cost_0_1_any;
+      end if;
       if slice0winner1_tag_valid then
-        slice1other_cost_0_0 <= slice1other_cost_0_1 when slice1other_cost_0_0_any else slice1window_sum_0_0;
-        slice1other_cost_0_1 <= slice1other_cost_0_2 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
-        slice1other_cost_0_2 <= slice0other_cost_out_0 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
-        slice1other_winner_0_0 <= slice1other_winner_0_1 when slice1other_cost_0_0_any else 2;
-        slice1other_winner_0_1 <= slice1other_winner_0_2 when slice1other_cost_0_1_choice else 3;
-        slice1other_winner_0_2 <= slice0other_winner_out_0 when slice1other_cost_0_2_choice else 4;
+        if slice1other_cost_0_0_any then
+          slice1other_cost_0_0 <= slice1other_cost_0_1;
+          slice1other_winner_0_0 <= slice1other_winner_0_1;
+        else
+          slice1other_cost_0_0 <= slice1window_sum_0_0;
+          slice1other_winner_0_0 <= 2;
+        end if;
+        if slice1other_cost_0_1_choice then
+          slice1other_cost_0_1 <= slice1other_cost_0_2;
+          slice1other_winner_0_1 <= slice1other_winner_0_2;
+        else
+          slice1other_cost_0_1 <= slice1window_sum_0_1;
+          slice1other_winner_0_1 <= 3;
+        end if;
+        if slice1other_cost_0_2_choice then
+          slice1other_cost_0_2 <= slice0other_cost_out_0;
+          slice1other_winner_0_2 <= slice0other_winner_out_0;
+        else
+          slice1other_cost_0_2 <= slice1window_sum_0_2;
+          slice1other_winner_0_2 <= 4;
+        end if;
       end if;
       slice1other_cost_out_0 <= slice1other_cost_0_0;
       slice1other_winner_out_0 <= slice1other_winner_0_0;
@@ -1552,84 +2034,141 @@ begin
       slice1winner1_held_0_0 <= slice1window_sum_0_0;
       slice1winner1_held_0_1 <= slice1window_sum_0_1;
       slice1winner1_held_0_2 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
       slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
       slice1winner1_best_late_cost_0_1 <= slice1winner1_held_0_2;
       slice1winner1_best_but_first_0_0 <= slice1winner1_held_0_1;
       slice1winner1_best_but_last_0_0 <= slice1winner1_held_0_0;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_held_0_2 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1 when (not slice1winner2_best_at_end_0_0)
-        and (not slice1winner2_best_at_start_0_0) else 4095;
-      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_at_start_0_0
-        else 4095;
-      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0 when slice1winner2_best_place_0_0 else
-        slice1winner2_best_second_0_0_choice_2;
-      slice1winner2_best_cost_0_0 <= slice1winner1_held_0_2 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_below_0_0 <= slice1winner1_held_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_below_0_0;
-      slice1winner2_best_above_0_0 <= 0 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner2_best_above_0_0_choice;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
+      if (not slice1winner2_best_at_end_0_0) and (not slice1winner2_best_at_start_0_0) then
+        slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1;
+      else
+        slice1winner2_best_second_0_0_choice := 4095;
+      end if;
+      if slice1winner2_best_at_start_0_0 then
+        slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_late_cost_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_2 := 4095;
+      end if;
+      if slice1winner2_best_place_0_0 then
+        slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_but_last_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_3 := slice1winner2_best_second_0_0_choice_2;
+      end if;
       slice1winner2_best_first_0_0 <= slice1winner1_held_0_0;
       slice1winner2_best_place_0_0 <= transform_read_column_inside_1 and slice1winner2_best_cost_0_0_is_less;
       slice1winner2_best_at_start_0_0 <= slice1winner2_best_cost_0_0_is_less;
       slice1winner2_best_at_end_0_0 <= slice1winner1_best_index_0_0 and ((slice1winner1_held_0_2 -
         slice1winner1_best_cost_0_0) >= 0);
       slice1winner2_best_late_cost_0_0 <= slice1winner2_best_cost_0_0;
-      slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice when (slice1winner2_best_second_0_0_choice
-        - slice1winner2_best_second_0_0_choice_3) < 0 else slice1winner2_best_second_0_0_choice_3;
-      slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1 when (slice1winner1_best_late_cost_0_1 -
-        slice1winner1_best_but_first_0_0) < 0 else slice1winner1_best_but_first_0_0;
-      slice1winner2_best_but_last_0_0 <= slice1winner1_best_late_cost_0_0 when slice1winner1_best_late_cost_0_0 < 4095
-        else 4095;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_held_0_2;
+        slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner1_held_0_1;
+        slice1winner2_best_above_0_0 <= 0;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      end if;
+      if (slice1winner2_best_second_0_0_choice - slice1winner2_best_second_0_0_choice_3) < 0 then
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice;
+      else
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_3;
+      end if;
+      if (slice1winner1_best_late_cost_0_1 - slice1winner1_best_but_first_0_0) < 0 then
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1;
+      else
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_but_first_0_0;
+      end if;
+      if slice1winner1_best_late_cost_0_0 < 4095 then
+        slice1winner2_best_but_last_0_0 <= slice1winner1_best_late_cost_0_0;
+      else
+        slice1winner2_best_but_last_0_0 <= 4095;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0winner2_best_late_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
       slice1_best_index_0_0_sum := (slice1winner2_best_index_0_0 / 2) + 1;
       slice1_best_below_0_0_is_equal := slice0_best_index_0_0 = 5;
-      slice1_best_below_0_0_choice := slice1winner1_best_late_cost_0_1 when slice1_best_below_0_0_is_equal else
-        slice0_best_below_0_0;
+      if slice1_best_below_0_0_is_equal then
+        slice1_best_below_0_0_choice := slice1winner1_best_late_cost_0_1;
+      else
+        slice1_best_below_0_0_choice := slice0_best_below_0_0;
+      end if;
       slice1_best_above_0_0_is_equal := slice1_best_index_0_0_sum = 2;
-      slice1_best_above_0_0_choice := slice0_best_first_0_0 when slice1_best_above_0_0_is_equal and (not
-        ((slice1winner2_best_index_0_0 mod 2) = 1)) else slice1winner2_best_above_0_0;
-      slice1_best_second_0_0_choice := slice0_best_second_0_0 when slice1_best_place_0_0 else slice0_best_late_cost_0_0;
-      slice1_best_second_0_0_choice_2 := slice0_best_but_first_0_0 when slice1_best_at_end_0_0 else
-        slice1_best_second_0_0_choice;
-      slice1_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0 when slice1_best_place_0_0 else
-        slice1winner2_best_second_0_0;
-      slice1_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0 when slice1_best_at_start_0_0 else
-        slice1_best_second_0_0_choice_3;
-      slice1_best_cost_0_0 <= slice0winner2_best_late_cost_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else (slice1_best_index_0_0_sum
-        * 2) + (slice1winner2_best_index_0_0 mod 2);
-      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
-        slice1winner2_best_below_0_0;
-      slice1_best_above_0_0 <= slice0_best_above_0_0 when slice1_best_cost_0_0_is_less else
-        slice1_best_above_0_0_choice;
+      if slice1_best_above_0_0_is_equal and (not ((slice1winner2_best_index_0_0 mod 2) = 1)) then
+        slice1_best_above_0_0_choice := slice0_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice1winner2_best_above_0_0;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice := slice0_best_second_0_0;
+      else
+        slice1_best_second_0_0_choice := slice0_best_late_cost_0_0;
+      end if;
+      if slice1_best_at_end_0_0 then
+        slice1_best_second_0_0_choice_2 := slice0_best_but_first_0_0;
+      else
+        slice1_best_second_0_0_choice_2 := slice1_best_second_0_0_choice;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0;
+      else
+        slice1_best_second_0_0_choice_3 := slice1winner2_best_second_0_0;
+      end if;
+      if slice1_best_at_start_0_0 then
+        slice1_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0;
+      else
+        slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3;
+      end if;
       slice1_best_first_0_0 <= slice1winner2_best_first_0_0;
       slice1_best_place_0_0 <= slice1_best_cost_0_0_is_less;
       slice1_best_at_start_0_0 <= slice1_best_below_0_0_is_equal and slice1_best_cost_0_0_is_less;
       slice1_best_at_end_0_0 <= ((slice0winner2_best_late_cost_0_0 - slice1winner2_best_cost_0_0) >= 0) and
         slice1_best_above_0_0_is_equal and (not ((slice1winner2_best_index_0_0 mod 2) = 1));
       slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
-      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
-        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
-      slice1_best_but_first_0_0 <= slice0_best_late_cost_0_0 when (slice0_best_late_cost_0_0 -
-        slice1winner2_best_but_first_0_0) < 0 else slice1winner2_best_but_first_0_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0winner2_best_late_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice0_best_above_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1_best_index_0_0 <= (slice1_best_index_0_0_sum * 2) + (slice1winner2_best_index_0_0 mod 2);
+        slice1_best_below_0_0 <= slice1winner2_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      end if;
+      if (slice1_best_second_0_0_choice_2 - slice1_best_second_0_0_choice_4) < 0 then
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2;
+      else
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_4;
+      end if;
+      if (slice0_best_late_cost_0_0 - slice1winner2_best_but_first_0_0) < 0 then
+        slice1_best_but_first_0_0 <= slice0_best_late_cost_0_0;
+      else
+        slice1_best_but_first_0_0 <= slice1winner2_best_but_first_0_0;
+      end if;
       -- slice2shift
       if slice0cost_pixels_first_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -1640,13 +2179,26 @@ begin
       slice2shift_reference_0 <= slice1shift_reference_0;
       slice2shift_reference_1 <= slice1shift_reference_1;
       -- slice2cost
-      slice2cost_column_0_0_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 mod
-        512;
-      slice2cost_column_0_0_choice_2 := 0 when slice0window_entering_tag_border_column else
-        (slice2cost_column_0_0_choice + slice2cost_change_0_0) mod 512;
-      slice2cost_column_0_1_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 / 512;
-      slice2cost_column_0_1_choice_2 := 0 when slice0window_entering_tag_border_column else
-        (slice2cost_column_0_1_choice + slice2cost_change_0_1) mod 512;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_0_choice := 0;
+      else
+        slice2cost_column_0_0_choice := slice2cost_ready_words_0 mod 512;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_0_choice_2 := 0;
+      else
+        slice2cost_column_0_0_choice_2 := (slice2cost_column_0_0_choice + slice2cost_change_0_0) mod 512;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_1_choice := 0;
+      else
+        slice2cost_column_0_1_choice := slice2cost_ready_words_0 / 512;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_1_choice_2 := 0;
+      else
+        slice2cost_column_0_1_choice_2 := (slice2cost_column_0_1_choice + slice2cost_change_0_1) mod 512;
+      end if;
       slice2cost_pixels_first_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_pixels_first_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_pixels_first_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
@@ -1671,9 +2223,12 @@ begin
       end if;
       -- slice2window
       if slice0window_change_tag_valid then
-        slice2window_ring_read_address <= 0 when slice2window_ring_read_address = 7 else
-          (slice2window_ring_read_address + 1) mod 8;
         slice2window_ring_write_address <= slice2window_ring_read_address;
+        if slice2window_ring_read_address = 7 then
+          slice2window_ring_read_address <= 0;
+        else
+          slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice1window_change_tag_leaves_window then
         slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(8 downto 0));
@@ -1693,8 +2248,16 @@ begin
         slice2window_change_tag_first_cost <= slice1window_change_tag_first_cost;
         slice2window_change_tag_output_column <= slice1window_change_tag_output_column;
       end if;
-      slice2window_sum_0_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_0;
-      slice2window_sum_0_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_1;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_0_choice := 0;
+      else
+        slice2window_sum_0_0_choice := slice2window_sum_0_0;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_1_choice := 0;
+      else
+        slice2window_sum_0_1_choice := slice2window_sum_0_1;
+      end if;
       if slice0winner1_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 4096;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 4096;
@@ -1708,26 +2271,43 @@ begin
         slice2window_centre_end_of_line_1 <= slice2window_centre_end_of_line_0;
       end if;
       -- slice2other
-      slice2other_cost_0_1_choice := not slice0winner2_tag_output_column when (slice1other_cost_out_0 -
-        slice2window_sum_0_1) >= 0 else (not slice0winner2_tag_output_column) or (not slice0winner2_tag_first_column);
+      if (slice1other_cost_out_0 - slice2window_sum_0_1) >= 0 then
+        slice2other_cost_0_1_choice := not slice0winner2_tag_output_column;
+      else
+        slice2other_cost_0_1_choice := (not slice0winner2_tag_output_column) or (not slice0winner2_tag_first_column);
+      end if;
       if slice0winner2_tag_valid then
-        slice2other_cost_0_1 <= slice1other_cost_out_0 when slice2other_cost_0_1_choice else slice2window_sum_0_1;
-        slice2other_winner_0_0 <= slice2other_winner_0_1 when (not slice0winner2_tag_output_column) or ((not
-          slice0winner2_tag_first_column) and ((slice2other_cost_0_1 - slice2window_sum_0_0) < 0)) else 0;
-        slice2other_winner_0_1 <= slice1other_winner_out_0 when slice2other_cost_0_1_choice else 1;
+        if slice2other_cost_0_1_choice then
+          slice2other_cost_0_1 <= slice1other_cost_out_0;
+          slice2other_winner_0_1 <= slice1other_winner_out_0;
+        else
+          slice2other_cost_0_1 <= slice2window_sum_0_1;
+          slice2other_winner_0_1 <= 1;
+        end if;
+        if (not slice0winner2_tag_output_column) or ((not slice0winner2_tag_first_column) and ((slice2other_cost_0_1 -
+          slice2window_sum_0_0) < 0)) then
+          slice2other_winner_0_0 <= slice2other_winner_0_1;
+        else
+          slice2other_winner_0_0 <= 0;
+        end if;
       end if;
       slice2other_winner_out_0 <= slice2other_winner_0_0;
       -- slice2winner1
       slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_held_0_0 <= slice2window_sum_0_0;
       slice2winner1_held_0_1 <= slice2window_sum_0_1;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
-      slice2winner1_best_below_0_0 <= slice2window_sum_0_0 when slice2winner1_best_cost_0_0_is_less else 0;
-      slice2winner1_best_above_0_0 <= 0 when slice2winner1_best_cost_0_0_is_less else slice2window_sum_0_1;
       slice2winner1_best_late_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner1_best_but_last_0_0 <= slice2winner1_held_0_0;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+        slice2winner1_best_below_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_above_0_0 <= 0;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_below_0_0 <= 0;
+        slice2winner1_best_above_0_0 <= slice2window_sum_0_1;
+      end if;
       -- slice2winner2
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
       slice2winner2_best_below_0_0 <= slice2winner1_best_below_0_0;
@@ -1738,51 +2318,92 @@ begin
       -- slice2
       slice2_best_cost_0_0_is_less := (slice1_best_cost_0_0 - slice2winner1_best_late_cost_0_0) < 0;
       slice2_best_below_0_0_is_equal := slice1_best_index_0_0 = 2;
-      slice2_best_below_0_0_choice := slice2winner2_best_last_0_0 when slice2_best_below_0_0_is_equal else
-        slice1_best_below_0_0;
-      slice2_best_above_0_0_choice := slice1_best_first_0_0 when slice2winner2_best_index_0_0 else
-        slice2winner2_best_above_0_0;
-      slice2_best_second_0_0_choice := slice1_best_second_0_0 when slice2_best_place_0_0 else slice1_best_late_cost_0_0;
-      slice2_best_second_0_0_choice_2 := slice1_best_but_first_0_0 when slice2_best_at_end_0_0 else
-        slice2_best_second_0_0_choice;
-      slice2_best_second_0_0_choice_3 := slice2winner2_best_late_cost_0_0 when slice2_best_place_0_0 else 4095;
-      slice2_best_second_0_0_choice_4 := slice2winner2_best_but_last_0_0 when slice2_best_at_start_0_0 else
-        slice2_best_second_0_0_choice_3;
-      slice2_best_cost_0_0 <= slice1_best_cost_0_0 when slice2_best_cost_0_0_is_less else
-        slice2winner1_best_late_cost_0_0;
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when slice2_best_cost_0_0_is_less else
-        as_number(slice2winner2_best_index_0_0);
-      slice2_best_below_0_0 <= slice2_best_below_0_0_choice when slice2_best_cost_0_0_is_less else
-        slice2winner2_best_below_0_0;
-      slice2_best_above_0_0 <= slice1_best_above_0_0 when slice2_best_cost_0_0_is_less else
-        slice2_best_above_0_0_choice;
+      if slice2_best_below_0_0_is_equal then
+        slice2_best_below_0_0_choice := slice2winner2_best_last_0_0;
+      else
+        slice2_best_below_0_0_choice := slice1_best_below_0_0;
+      end if;
+      if slice2winner2_best_index_0_0 then
+        slice2_best_above_0_0_choice := slice1_best_first_0_0;
+      else
+        slice2_best_above_0_0_choice := slice2winner2_best_above_0_0;
+      end if;
+      if slice2_best_place_0_0 then
+        slice2_best_second_0_0_choice := slice1_best_second_0_0;
+      else
+        slice2_best_second_0_0_choice := slice1_best_late_cost_0_0;
+      end if;
+      if slice2_best_at_end_0_0 then
+        slice2_best_second_0_0_choice_2 := slice1_best_but_first_0_0;
+      else
+        slice2_best_second_0_0_choice_2 := slice2_best_second_0_0_choice;
+      end if;
+      if slice2_best_place_0_0 then
+        slice2_best_second_0_0_choice_3 := slice2winner2_best_late_cost_0_0;
+      else
+        slice2_best_second_0_0_choice_3 := 4095;
+      end if;
+      if slice2_best_at_start_0_0 then
+        slice2_best_second_0_0_choice_4 := slice2winner2_best_but_last_0_0;
+      else
+        slice2_best_second_0_0_choice_4 := slice2_best_second_0_0_choice_3;
+      end if;
       slice2_best_place_0_0 <= slice2_best_cost_0_0_is_less;
       slice2_best_at_start_0_0 <= slice2_best_below_0_0_is_equal and slice2_best_cost_0_0_is_less;
       slice2_best_at_end_0_0 <= slice2winner2_best_index_0_0 and ((slice1_best_cost_0_0 -
         slice2winner1_best_late_cost_0_0) >= 0);
       slice2_best_late_cost_0_0 <= slice2_best_cost_0_0;
-      slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2 when (slice2_best_second_0_0_choice_2 -
-        slice2_best_second_0_0_choice_4) < 0 else slice2_best_second_0_0_choice_4;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_map_column <= slice1_best_tag_map_column;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if slice2_best_cost_0_0_is_less then
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+        slice2_best_below_0_0 <= slice2_best_below_0_0_choice;
+        slice2_best_above_0_0 <= slice1_best_above_0_0;
+      else
+        slice2_best_cost_0_0 <= slice2winner1_best_late_cost_0_0;
+        slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0);
+        slice2_best_below_0_0 <= slice2winner2_best_below_0_0;
+        slice2_best_above_0_0 <= slice2_best_above_0_0_choice;
+      end if;
+      if (slice2_best_second_0_0_choice_2 - slice2_best_second_0_0_choice_4) < 0 then
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2;
+      else
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_4;
+      end if;
       -- texture
-      texture_taps_search_0_0 <= 31 when rows_inside_0 else 0;
-      texture_taps_search_1_0 <= 31 when rows_inside_1 else 0;
       texture_passes_0_0 <= (texturewindow_sum_0_0 - texture_least) >= 0;
       texture_passes_1_0 <= texture_passes_0_0;
       texture_passes_2_0 <= texture_passes_1_0;
       texture_passes_3_0 <= texture_passes_2_0;
       texture_passes_4_0 <= texture_passes_3_0;
+      if rows_inside_0 then
+        texture_taps_search_0_0 <= 31;
+      else
+        texture_taps_search_0_0 <= 0;
+      end if;
+      if rows_inside_1 then
+        texture_taps_search_1_0 <= 31;
+      else
+        texture_taps_search_1_0 <= 0;
+      end if;
       if not ((not slice0window_change_tag_valid) or (not slice0window_change_tag_start_of_frame) or (not slice0window_change_tag_output_column)) then
         texture_least <= settings_texture_threshold;
       end if;
       -- texturecost
-      texturecost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else texturecost_ready_words_0;
-      texturecost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (texturecost_column_0_0_choice
-        + texturecost_change_0_0) mod 512;
+      if slice0cost_ready_tag_first_group then
+        texturecost_column_0_0_choice := 0;
+      else
+        texturecost_column_0_0_choice := texturecost_ready_words_0;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        texturecost_column_0_0_choice_2 := 0;
+      else
+        texturecost_column_0_0_choice_2 := (texturecost_column_0_0_choice + texturecost_change_0_0) mod 512;
+      end if;
       texturecost_pixels_first_0_0 <= texture_taps_search_0_0 - slice0shift_reference_0;
       texturecost_pixels_first_1_0 <= texture_taps_search_1_0 - slice0shift_reference_1;
       texturecost_pixels_cost_0_0 <= folded(texturecost_pixels_first_0_0) + as_number((texturecost_pixels_first_0_0 <
@@ -1803,7 +2424,11 @@ begin
       end if;
       texturewindow_entering_0_0 <= texturecost_column_0_0;
       texturewindow_change_0_0 <= texturewindow_entering_0_0 - texturewindow_change_0_0_choice;
-      texturewindow_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else texturewindow_sum_0_0;
+      if slice0window_change_tag_first_cost then
+        texturewindow_sum_0_0_choice := 0;
+      else
+        texturewindow_sum_0_0_choice := texturewindow_sum_0_0;
+      end if;
       if slice0window_change_tag_valid then
         texturewindow_sum_0_0 <= (texturewindow_sum_0_0_choice + texturewindow_change_0_0) mod 4096;
       end if;
@@ -1816,7 +2441,11 @@ begin
       refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 8192) - refinement_divisor_5_0;
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 8192) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -1844,8 +2473,6 @@ begin
       refinement_passed_0_0 <= texture_passes_4_0;
       refinement_passed_1_0 <= refinement_passed_0_0;
       refinement_passed_2_0 <= refinement_passed_1_0;
-      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_0 else refinement_passed_2_0 and
-        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
       refinement_passed_6_0 <= refinement_passed_5_0;
@@ -1915,32 +2542,14 @@ begin
       refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
       refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
       refinement_alone_0_0 <= slice2_best_second_0_0 = 4095;
-      refinement_alone_1_0 <= ((refinement_percent mod 16) = 0) or refinement_alone_0_0 when (refinement_percent / 16)
-        = 0 else refinement_alone_0_0;
       refinement_gap_0 <= (slice2_best_second_0_0 - slice2_best_late_cost_0_0) mod 4096;
       refinement_lowest_0 <= slice2_best_late_cost_0_0;
       refinement_scaled_gap_0 <= (refinement_gap_0 * 25) * 4;
       refinement_scaled_cost_0 <= refinement_lowest_0 * refinement_percent;
-      refinement_below_0 <= slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else slice2_best_below_0_0;
-      refinement_above_0 <= slice2_best_below_0_0 when slice2_best_index_0_0 = 7 else slice2_best_above_0_0;
       refinement_u_0 <= (refinement_below_0 - slice2_best_late_cost_0_0) mod 4096;
       refinement_v_0 <= (refinement_above_0 - slice2_best_late_cost_0_0) mod 4096;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 4096 when
-        (refinement_remainder_1_0_difference / 8192) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096 when
-        (refinement_remainder_2_0_difference / 8192) = 1 else (refinement_remainder_1_0 mod 2048) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096 when
-        (refinement_remainder_3_0_difference / 8192) = 1 else (refinement_remainder_2_0 mod 2048) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096 when
-        (refinement_remainder_4_0_difference / 8192) = 1 else (refinement_remainder_3_0 mod 2048) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096 when
-        (refinement_remainder_5_0_difference / 8192) = 1 else (refinement_remainder_4_0 mod 2048) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096 when
-        (refinement_remainder_6_0_difference / 8192) = 1 else (refinement_remainder_5_0 mod 2048) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096 when
-        (refinement_remainder_7_0_difference / 8192) = 1 else (refinement_remainder_6_0 mod 2048) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 12)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 12))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
@@ -1962,6 +2571,61 @@ begin
       refinement_negative_7_0 <= refinement_negative_6_0;
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 4) * 8) + refinement_fraction_0_choice_2;
+      if refinement_alone_1_0 then
+        refinement_passed_3_0 <= refinement_passed_2_0;
+      else
+        refinement_passed_3_0 <= refinement_passed_2_0 and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      end if;
+      if (refinement_percent / 16) = 0 then
+        refinement_alone_1_0 <= ((refinement_percent mod 16) = 0) or refinement_alone_0_0;
+      else
+        refinement_alone_1_0 <= refinement_alone_0_0;
+      end if;
+      if slice2_best_index_0_0 = 0 then
+        refinement_below_0 <= slice2_best_above_0_0;
+      else
+        refinement_below_0 <= slice2_best_below_0_0;
+      end if;
+      if slice2_best_index_0_0 = 7 then
+        refinement_above_0 <= slice2_best_below_0_0;
+      else
+        refinement_above_0 <= slice2_best_above_0_0;
+      end if;
+      if (refinement_remainder_1_0_difference / 8192) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 4096;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_2_0_difference / 8192) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 8192) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 8192) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 8192) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 8192) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 8192) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 2048) * 2;
+      end if;
       if not ((not refinement_tag_0_valid) or (not refinement_tag_0_start_of_frame) or (not refinement_tag_0_output_column)) then
         refinement_percent <= settings_uniqueness_percent;
       end if;
@@ -1969,92 +2633,171 @@ begin
       leftright_holds_winners_all := (not leftright_holds_winners) and (((leftright_ring_read_address / 4) = 1) or
         (((leftright_ring_read_address / 2) mod 2) = 1) or ((leftright_ring_read_address mod 2) = 1));
       leftright_checked_passed_0_difference := leftright_answered_disparity_0 - to_integer(leftright_found_0);
-      leftright_checked_tag_row_start_choice := (not ((map_counter_group mod 2) = 1)) or (not (((map_counter_group / 2)
-        mod 2) = 1)) when (size_map_idle mod 2) = 1 else not (((map_counter_group / 2) mod 2) = 1);
+      if (size_map_idle mod 2) = 1 then
+        leftright_checked_tag_row_start_choice := (not ((map_counter_group mod 2) = 1)) or (not (((map_counter_group /
+          2) mod 2) = 1));
+      else
+        leftright_checked_tag_row_start_choice := not (((map_counter_group / 2) mod 2) = 1);
+      end if;
       leftright_checked_tag_row_start_is_equal := (map_counter_group mod 4) = 0;
-      leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start_choice when
-        transform_counter_group_value_10 else ((size_map_idle mod 2) = 1) and leftright_checked_tag_row_start_is_equal;
+      if transform_counter_group_value_10 then
+        leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start_choice;
+      else
+        leftright_checked_tag_row_start_choice_2 := ((size_map_idle mod 2) = 1) and
+          leftright_checked_tag_row_start_is_equal;
+      end if;
       leftright_checked_tag_row_start_value := ((map_counter_group / 4) mod 2) = 1;
-      leftright_checked_tag_row_start_choice_3 := (not transform_counter_group_value_11) and
-        leftright_checked_tag_row_start_value when leftright_checked_tag_row_start_choice_2 else (not
-        transform_counter_group_value_11) or leftright_checked_tag_row_start_value;
+      if leftright_checked_tag_row_start_choice_2 then
+        leftright_checked_tag_row_start_choice_3 := (not transform_counter_group_value_11) and
+          leftright_checked_tag_row_start_value;
+      else
+        leftright_checked_tag_row_start_choice_3 := (not transform_counter_group_value_11) or
+          leftright_checked_tag_row_start_value;
+      end if;
       leftright_checked_tag_row_start_value_2 := ((map_counter_group / 8) mod 2) = 1;
-      leftright_checked_tag_row_start_choice_4 := (not transform_counter_group_value_12) or
-        leftright_checked_tag_row_start_value_2 when leftright_checked_tag_row_start_choice_3 else (not
-        transform_counter_group_value_12) and leftright_checked_tag_row_start_value_2;
+      if leftright_checked_tag_row_start_choice_3 then
+        leftright_checked_tag_row_start_choice_4 := (not transform_counter_group_value_12) or
+          leftright_checked_tag_row_start_value_2;
+      else
+        leftright_checked_tag_row_start_choice_4 := (not transform_counter_group_value_12) and
+          leftright_checked_tag_row_start_value_2;
+      end if;
       leftright_checked_tag_row_start_value_3 := ((size_map_last_column / 8) mod 2) = 1;
-      leftright_checked_tag_row_start_choice_5 := (map_counter_column / 8) = 3 when
-        leftright_checked_tag_row_start_value_3 else (map_counter_column / 8) = 2;
-      leftright_checked_tag_row_start_choice_6 := (map_counter_column / 8) = 1 when
-        leftright_checked_tag_row_start_value_3 else (map_counter_column / 8) = 0;
-      leftright_checked_tag_row_start_choice_7 := leftright_checked_tag_row_start_choice_5 when (size_map_last_column /
-        16) = 1 else leftright_checked_tag_row_start_choice_6;
-      leftright_checked_tag_row_start_choice_8 := (map_counter_column mod 4) = 3 when (size_map_last_column mod 2) = 1
-        else (map_counter_column mod 4) = 2;
-      leftright_checked_tag_row_start_choice_9 := (map_counter_column mod 4) = 1 when (size_map_last_column mod 2) = 1
-        else (map_counter_column mod 4) = 0;
-      leftright_checked_tag_row_start_choice_10 := leftright_checked_tag_row_start_choice_8 when ((size_map_last_column
-        / 2) mod 2) = 1 else leftright_checked_tag_row_start_choice_9;
+      if leftright_checked_tag_row_start_value_3 then
+        leftright_checked_tag_row_start_choice_5 := (map_counter_column / 8) = 3;
+      else
+        leftright_checked_tag_row_start_choice_5 := (map_counter_column / 8) = 2;
+      end if;
+      if leftright_checked_tag_row_start_value_3 then
+        leftright_checked_tag_row_start_choice_6 := (map_counter_column / 8) = 1;
+      else
+        leftright_checked_tag_row_start_choice_6 := (map_counter_column / 8) = 0;
+      end if;
+      if (size_map_last_column / 16) = 1 then
+        leftright_checked_tag_row_start_choice_7 := leftright_checked_tag_row_start_choice_5;
+      else
+        leftright_checked_tag_row_start_choice_7 := leftright_checked_tag_row_start_choice_6;
+      end if;
+      if (size_map_last_column mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_8 := (map_counter_column mod 4) = 3;
+      else
+        leftright_checked_tag_row_start_choice_8 := (map_counter_column mod 4) = 2;
+      end if;
+      if (size_map_last_column mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_9 := (map_counter_column mod 4) = 1;
+      else
+        leftright_checked_tag_row_start_choice_9 := (map_counter_column mod 4) = 0;
+      end if;
+      if ((size_map_last_column / 2) mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_10 := leftright_checked_tag_row_start_choice_8;
+      else
+        leftright_checked_tag_row_start_choice_10 := leftright_checked_tag_row_start_choice_9;
+      end if;
       leftright_checked_tag_row_start_differs := (((size_map_last_column / 4) mod 2) = 1) /= (not (((map_counter_column
         / 4) mod 2) = 1));
-      leftright_checked_tag_row_start_choice_11 := leftright_checked_tag_row_start_choice_7 and
-        leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and ((size_map_idle / 16)
-        = 1) and (not ((map_counter_group / 16) = 1)) when leftright_checked_tag_row_start_choice_4 else
-        leftright_checked_tag_row_start_choice_7 and leftright_checked_tag_row_start_choice_10 and
-        leftright_checked_tag_row_start_differs and (((size_map_idle / 16) = 1) or (not ((map_counter_group / 16) =
-        1)));
+      if leftright_checked_tag_row_start_choice_4 then
+        leftright_checked_tag_row_start_choice_11 := leftright_checked_tag_row_start_choice_7 and
+          leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and ((size_map_idle /
+          16) = 1) and (not ((map_counter_group / 16) = 1));
+      else
+        leftright_checked_tag_row_start_choice_11 := leftright_checked_tag_row_start_choice_7 and
+          leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and (((size_map_idle /
+          16) = 1) or (not ((map_counter_group / 16) = 1)));
+      end if;
       leftright_checked_tag_row_start_value_4 := ((size_windows_groups / 8) mod 2) = 1;
       leftright_checked_tag_row_start_is_equal_2 := (map_counter_group / 8) = 3;
       leftright_checked_tag_row_start_is_equal_3 := (map_counter_group / 8) = 2;
-      leftright_checked_tag_row_start_choice_12 := leftright_checked_tag_row_start_is_equal_2 when
-        leftright_checked_tag_row_start_value_4 else leftright_checked_tag_row_start_is_equal_3;
+      if leftright_checked_tag_row_start_value_4 then
+        leftright_checked_tag_row_start_choice_12 := leftright_checked_tag_row_start_is_equal_2;
+      else
+        leftright_checked_tag_row_start_choice_12 := leftright_checked_tag_row_start_is_equal_3;
+      end if;
       leftright_checked_tag_row_start_is_equal_4 := (map_counter_group / 8) = 1;
       leftright_checked_tag_row_start_is_equal_5 := (map_counter_group / 8) = 0;
-      leftright_checked_tag_row_start_choice_13 := leftright_checked_tag_row_start_is_equal_4 when
-        leftright_checked_tag_row_start_value_4 else leftright_checked_tag_row_start_is_equal_5;
-      leftright_checked_tag_row_start_choice_14 := leftright_checked_tag_row_start_choice_12 when (size_windows_groups
-        / 16) = 1 else leftright_checked_tag_row_start_choice_13;
+      if leftright_checked_tag_row_start_value_4 then
+        leftright_checked_tag_row_start_choice_13 := leftright_checked_tag_row_start_is_equal_4;
+      else
+        leftright_checked_tag_row_start_choice_13 := leftright_checked_tag_row_start_is_equal_5;
+      end if;
+      if (size_windows_groups / 16) = 1 then
+        leftright_checked_tag_row_start_choice_14 := leftright_checked_tag_row_start_choice_12;
+      else
+        leftright_checked_tag_row_start_choice_14 := leftright_checked_tag_row_start_choice_13;
+      end if;
       leftright_checked_tag_row_start_is_equal_6 := (map_counter_group mod 4) = 3;
       leftright_checked_tag_row_start_is_equal_7 := (map_counter_group mod 4) = 2;
-      leftright_checked_tag_row_start_choice_15 := leftright_checked_tag_row_start_is_equal_6 when (size_windows_groups
-        mod 2) = 1 else leftright_checked_tag_row_start_is_equal_7;
+      if (size_windows_groups mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_15 := leftright_checked_tag_row_start_is_equal_6;
+      else
+        leftright_checked_tag_row_start_choice_15 := leftright_checked_tag_row_start_is_equal_7;
+      end if;
       leftright_checked_tag_row_start_is_equal_8 := (map_counter_group mod 4) = 1;
-      leftright_checked_tag_row_start_choice_16 := leftright_checked_tag_row_start_is_equal_8 when (size_windows_groups
-        mod 2) = 1 else leftright_checked_tag_row_start_is_equal;
-      leftright_checked_tag_row_start_choice_17 := leftright_checked_tag_row_start_choice_15 when ((size_windows_groups
-        / 2) mod 2) = 1 else leftright_checked_tag_row_start_choice_16;
+      if (size_windows_groups mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_16 := leftright_checked_tag_row_start_is_equal_8;
+      else
+        leftright_checked_tag_row_start_choice_16 := leftright_checked_tag_row_start_is_equal;
+      end if;
+      if ((size_windows_groups / 2) mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_17 := leftright_checked_tag_row_start_choice_15;
+      else
+        leftright_checked_tag_row_start_choice_17 := leftright_checked_tag_row_start_choice_16;
+      end if;
       leftright_checked_tag_row_start_differs_2 := transform_counter_group_value_13 /= (not
         leftright_checked_tag_row_start_value);
       leftright_checked_tag_row_start_all := leftright_checked_tag_row_start_choice_14 and
         leftright_checked_tag_row_start_choice_17 and leftright_checked_tag_row_start_differs_2;
-      leftright_checked_tag_row_start_choice_18 := (not leftright_checked_tag_row_start_all) and
-        leftright_checked_tag_row_start when leftright_checked_tag_row_start_choice_11 else
-        leftright_checked_tag_row_start;
+      if leftright_checked_tag_row_start_choice_11 then
+        leftright_checked_tag_row_start_choice_18 := (not leftright_checked_tag_row_start_all) and
+          leftright_checked_tag_row_start;
+      else
+        leftright_checked_tag_row_start_choice_18 := leftright_checked_tag_row_start;
+      end if;
       leftright_checked_tag_row_start_value_5 := ((size_windows_last_group / 8) mod 2) = 1;
-      leftright_checked_tag_row_start_choice_19 := leftright_checked_tag_row_start_is_equal_2 when
-        leftright_checked_tag_row_start_value_5 else leftright_checked_tag_row_start_is_equal_3;
-      leftright_checked_tag_row_start_choice_20 := leftright_checked_tag_row_start_is_equal_4 when
-        leftright_checked_tag_row_start_value_5 else leftright_checked_tag_row_start_is_equal_5;
-      leftright_checked_tag_row_start_choice_21 := leftright_checked_tag_row_start_choice_19 when
-        (size_windows_last_group / 16) = 1 else leftright_checked_tag_row_start_choice_20;
-      leftright_checked_tag_row_start_choice_22 := leftright_checked_tag_row_start_is_equal_6 when
-        (size_windows_last_group mod 2) = 1 else leftright_checked_tag_row_start_is_equal_7;
-      leftright_checked_tag_row_start_choice_23 := leftright_checked_tag_row_start_is_equal_8 when
-        (size_windows_last_group mod 2) = 1 else leftright_checked_tag_row_start_is_equal;
-      leftright_checked_tag_row_start_choice_24 := leftright_checked_tag_row_start_choice_22 when
-        ((size_windows_last_group / 2) mod 2) = 1 else leftright_checked_tag_row_start_choice_23;
+      if leftright_checked_tag_row_start_value_5 then
+        leftright_checked_tag_row_start_choice_19 := leftright_checked_tag_row_start_is_equal_2;
+      else
+        leftright_checked_tag_row_start_choice_19 := leftright_checked_tag_row_start_is_equal_3;
+      end if;
+      if leftright_checked_tag_row_start_value_5 then
+        leftright_checked_tag_row_start_choice_20 := leftright_checked_tag_row_start_is_equal_4;
+      else
+        leftright_checked_tag_row_start_choice_20 := leftright_checked_tag_row_start_is_equal_5;
+      end if;
+      if (size_windows_last_group / 16) = 1 then
+        leftright_checked_tag_row_start_choice_21 := leftright_checked_tag_row_start_choice_19;
+      else
+        leftright_checked_tag_row_start_choice_21 := leftright_checked_tag_row_start_choice_20;
+      end if;
+      if (size_windows_last_group mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_22 := leftright_checked_tag_row_start_is_equal_6;
+      else
+        leftright_checked_tag_row_start_choice_22 := leftright_checked_tag_row_start_is_equal_7;
+      end if;
+      if (size_windows_last_group mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_23 := leftright_checked_tag_row_start_is_equal_8;
+      else
+        leftright_checked_tag_row_start_choice_23 := leftright_checked_tag_row_start_is_equal;
+      end if;
+      if ((size_windows_last_group / 2) mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_24 := leftright_checked_tag_row_start_choice_22;
+      else
+        leftright_checked_tag_row_start_choice_24 := leftright_checked_tag_row_start_choice_23;
+      end if;
       leftright_checked_tag_row_start_differs_3 := transform_counter_group_value_4 /= (not
         leftright_checked_tag_row_start_value);
       leftright_checked_tag_row_start_all_2 := leftright_checked_tag_row_start_choice_21 and
         leftright_checked_tag_row_start_choice_24 and leftright_checked_tag_row_start_differs_3 and
         leftright_checked_tag_row_start_choice_7 and leftright_checked_tag_row_start_choice_10 and
         leftright_checked_tag_row_start_differs;
-      leftright_checked_tag_row_start_choice_25 := leftright_checked_tag_row_start_all_2 or (not
-        leftright_checked_tag_start_of_frame) when leftright_checked_tag_row_start_choice_18 else
-        leftright_checked_tag_row_start_choice_21 and leftright_checked_tag_row_start_choice_24 and
-        leftright_checked_tag_row_start_differs_3 and leftright_checked_tag_row_start_choice_7 and
-        leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
-        leftright_checked_tag_start_of_frame;
+      if leftright_checked_tag_row_start_choice_18 then
+        leftright_checked_tag_row_start_choice_25 := leftright_checked_tag_row_start_all_2 or (not
+          leftright_checked_tag_start_of_frame);
+      else
+        leftright_checked_tag_row_start_choice_25 := leftright_checked_tag_row_start_choice_21 and
+          leftright_checked_tag_row_start_choice_24 and leftright_checked_tag_row_start_differs_3 and
+          leftright_checked_tag_row_start_choice_7 and leftright_checked_tag_row_start_choice_10 and
+          leftright_checked_tag_row_start_differs and leftright_checked_tag_start_of_frame;
+      end if;
       leftright_checked_tag_row_start_all_3 := leftright_checked_tag_valid and leftright_checked_tag_map_column;
       leftright_other_1_0 <= slice2other_winner_out_0;
       leftright_other_2_0 <= leftright_other_1_0;
@@ -2069,8 +2812,6 @@ begin
       leftright_other_11_0 <= leftright_other_10_0;
       leftright_other_12_0 <= leftright_other_11_0;
       leftright_other_13_0 <= leftright_other_12_0;
-      leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners when
-        leftright_holds_winners_all else refinement_tag_11_valid or leftright_holds_winners;
       leftright_position <= (leftright_position + as_number(refinement_tag_11_valid)) mod 16;
       leftright_held_position <= leftright_position;
       leftright_held_valid <= (not leftright_holds_winners_all) and refinement_tag_11_valid;
@@ -2095,33 +2836,62 @@ begin
       leftright_checked_passed_0 <= leftright_answered_passed_0 and ((leftright_checked_passed_0_difference - (0 -
         leftright_threshold)) >= 0) and ((leftright_threshold - leftright_checked_passed_0_difference) >= 0);
       leftright_checked_tag_valid <= leftright_answered_tag_valid;
-      leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_3 when
-        leftright_checked_tag_row_start_choice_25 else leftright_checked_tag_row_start and ((not
-        leftright_checked_tag_valid) or (not leftright_checked_tag_map_column));
       leftright_checked_tag_map_column <= leftright_answered_tag_map_column;
       leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
       leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if leftright_holds_winners_all then
+        leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners;
+      else
+        leftright_holds_winners <= refinement_tag_11_valid or leftright_holds_winners;
+      end if;
+      if leftright_checked_tag_row_start_choice_25 then
+        leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_3;
+      else
+        leftright_checked_tag_row_start <= leftright_checked_tag_row_start and ((not leftright_checked_tag_valid) or
+          (not leftright_checked_tag_map_column));
+      end if;
       if refinement_tag_11_valid then
-        leftright_ring_read_address <= 0 when leftright_ring_read_address = 7 else (leftright_ring_read_address + 1)
-          mod 8;
         leftright_ring_write_address <= leftright_ring_read_address;
+        if leftright_ring_read_address = 7 then
+          leftright_ring_read_address <= 0;
+        else
+          leftright_ring_read_address <= (leftright_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if not ((not leftright_asking_tag_valid) or (not leftright_asking_tag_start_of_frame) or (not leftright_asking_tag_output_column)) then
         leftright_threshold <= settings_left_right_threshold;
       end if;
       -- map
       if leftright_checked_tag_row_start_all_3 then
-        map_counter_column <= 0 when (leftright_checked_tag_row_start_choice_7 and
-          leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs) or
-          leftright_checked_tag_start_of_frame else (map_counter_column + 1) mod 32;
+        if (leftright_checked_tag_row_start_choice_7 and leftright_checked_tag_row_start_choice_10 and
+          leftright_checked_tag_row_start_differs) or leftright_checked_tag_start_of_frame then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 32;
+        end if;
       end if;
-      map_counter_group_choice := size_windows_groups when leftright_checked_tag_row_start_all_2 else 0;
-      map_counter_group_choice_2 := 1 when leftright_checked_tag_row_start_choice_14 and
-        leftright_checked_tag_row_start_choice_17 and leftright_checked_tag_row_start_differs_2 and
-        leftright_checked_tag_row_start else (map_counter_group + 1) mod 32;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when leftright_checked_tag_row_start_choice_11 and
-        leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group;
-      map_line_ended_choice := leftright_checked_tag_map_column when leftright_checked_tag_valid else map_line_ended;
+      if leftright_checked_tag_row_start_all_2 then
+        map_counter_group_choice := size_windows_groups;
+      else
+        map_counter_group_choice := 0;
+      end if;
+      if leftright_checked_tag_row_start_choice_14 and leftright_checked_tag_row_start_choice_17 and
+        leftright_checked_tag_row_start_differs_2 and leftright_checked_tag_row_start then
+        map_counter_group_choice_2 := 1;
+      else
+        map_counter_group_choice_2 := (map_counter_group + 1) mod 32;
+      end if;
+      if leftright_checked_tag_row_start_choice_11 and leftright_checked_tag_valid and leftright_checked_tag_map_column
+        then
+        map_counter_group_choice_3 := map_counter_group_choice_2;
+      else
+        map_counter_group_choice_3 := map_counter_group;
+      end if;
+      if leftright_checked_tag_valid then
+        map_line_ended_choice := leftright_checked_tag_map_column;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
@@ -2133,8 +2903,16 @@ begin
       else
         map_of_column_0_c_choice := map_column_2 / 2;
       end if;
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
       if map_of_column_0_c_below_b then
         map_sorted_middle_0_choice := map_of_column_0_b;
       else
@@ -2156,32 +2934,81 @@ begin
         map_sorted_high_0_choice_2 := map_of_column_0_c;
       end if;
       map_window_complete_all := (not map_sorted_arrives) and (not map_sorted_behind);
-      map_window_complete_choice := map_window_complete_all when (map_sorted_column mod 2) = 1 else not
-        map_sorted_behind;
-      map_window_complete_choice_2 := map_window_complete_choice when (map_sorted_column / 2) = 0 else
-        map_window_complete_all;
-      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
-        map_median_middle_0_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_counter_group <= map_counter_group_choice when leftright_checked_tag_start_of_frame and
-        leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group_choice_3;
+      if (map_sorted_column mod 2) = 1 then
+        map_window_complete_choice := map_window_complete_all;
+      else
+        map_window_complete_choice := not map_sorted_behind;
+      end if;
+      if (map_sorted_column / 2) = 0 then
+        map_window_complete_choice_2 := map_window_complete_choice;
+      else
+        map_window_complete_choice_2 := map_window_complete_all;
+      end if;
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice := map_of_low_0_a;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice_2 := map_of_low_0_b;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_2 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_4 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
       map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
       map_newest_0 <= ((((((((leftright_checked_disparity_0 + 4095) mod 2048) * 2) + (leftright_checked_fraction_0 / 8)
         + 1) mod 4096) * 8) + (leftright_checked_fraction_0 mod 8)) * 2) + as_number(leftright_checked_passed_0);
       map_arrives <= leftright_checked_tag_row_start_all_3;
       map_behind <= map_line_ended and leftright_checked_tag_valid;
-      map_line_ended <= map_line_ended_choice when leftright_checked_tag_end_of_line else map_line_ended and (not
-        leftright_checked_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -2210,12 +3037,6 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
-        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
       map_window_complete <= (not map_window_complete_choice_2) and map_sorted_output;
       map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
       map_window_last <= map_sorted_behind;
@@ -2237,10 +3058,6 @@ begin
       map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
-        map_median_middle_0_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
@@ -2259,29 +3076,90 @@ begin
       map_waiting_passed_0_0 <= map_passed_1_0;
       map_waiting_passed_1_0 <= map_waiting_passed_0_0;
       map_waiting_passed_2_0 <= map_waiting_passed_1_0;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_map_column then
+        map_counter_group <= map_counter_group_choice;
+      else
+        map_counter_group <= map_counter_group_choice_3;
+      end if;
+      if leftright_checked_tag_end_of_line then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= map_line_ended and (not leftright_checked_tag_valid);
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_passed_0_0 then
+        map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind;
+      else
+        map_passed_1_0 <= map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      end if;
+      if map_of_low_0_b_below_a then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
         map_at_column <= to_integer(other_1(4 downto 0));
       end if;
-      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_0_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
       map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
-      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_0_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
       if not map_window_complete_all then
         map_low_0_0 <= map_low_0_0_choice;
-        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
         map_middle_0_0 <= map_middle_0_0_choice;
-        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
         map_high_0_0 <= map_high_0_0_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
+        if map_low_1_0_all then
+          map_low_1_0 <= map_low_0_0_choice;
+          map_middle_1_0 <= map_middle_0_0_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+        else
+          map_low_1_0 <= map_low_0_0;
+          map_middle_1_0 <= map_middle_0_0;
+          map_high_1_0 <= map_high_0_0;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;

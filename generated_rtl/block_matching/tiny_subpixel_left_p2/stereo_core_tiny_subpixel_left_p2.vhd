@@ -331,35 +331,47 @@ architecture rtl of stereo_core_tiny_subpixel_left_p2 is
   signal other_8, other_9 : natural range 0 to 224;
   signal other_10, other_11 : natural range 0 to 192;
   signal other_12 : natural range 0 to 128;
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_1, 16) & to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1) & to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
@@ -398,27 +410,52 @@ begin
       raster_place_group_is_equal := raster_place_column = 31;
       raster_place_group_is_equal_2 := raster_place_group = 5;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
-      raster_place_group_choice_2 := 1 when raster_place_next_frame and (raster_place_group = 6) else
-        (raster_place_group + 1) mod 8;
-      raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 7) and
-        raster_place_group_is_equal and in_valid else raster_place_group;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 6) then
+        raster_place_group_choice_2 := 1;
+      else
+        raster_place_group_choice_2 := (raster_place_group + 1) mod 8;
+      end if;
+      if (raster_place_group /= 7) and raster_place_group_is_equal and in_valid then
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      else
+        raster_place_group_choice_3 := raster_place_group;
+      end if;
       raster_features_search <= in_right_pixel;
       raster_features_reference_0 <= in_left_pixel mod 256;
       raster_features_reference_1 <= in_left_pixel / 256;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 2 when in_valid and in_start_of_frame else
-        raster_place_group_choice_3;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        (raster_place_group / 2) = 3 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
-        raster_place_next_frame;
+      if in_valid and in_start_of_frame then
+        raster_place_group <= raster_place_group_choice * 2;
+      else
+        raster_place_group <= raster_place_group_choice_3;
+      end if;
+      if (raster_place_group / 2) = 3 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 32;
-        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame;
+        if raster_place_group_is_equal or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
+        if raster_place_next_frame_choice_2 then
+          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
+        else
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       -- delay
       delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
@@ -429,15 +466,22 @@ begin
       delay_delayed_0 <= raster_features_search;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_any;
-      delay_row_inside_1 <= delay_row_inside_1_any when (raster_place_group mod 2) = 1 else delay_row_inside_0_any;
       delay_row_inside_3 <= delay_row_inside_1_any;
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
-        (raster_place_column / 8) = 0;
       delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 7) and ((((((raster_place_column /
         8) + 8191) mod 8192) * 8) + (raster_place_column mod 8)) < 24);
       delay_tag_start_of_frame <= (raster_place_column = 8) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_group_is_equal;
+      if (raster_place_group mod 2) = 1 then
+        delay_row_inside_1 <= delay_row_inside_1_any;
+      else
+        delay_row_inside_1 <= delay_row_inside_0_any;
+      end if;
+      if (raster_place_column mod 4) = 3 then
+        delay_tag_border_column <= (raster_place_column / 4) = 0;
+      else
+        delay_tag_border_column <= (raster_place_column / 8) = 0;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0 mod 256;
       rows_search_rows_read_newest_1 <= delay_delayed_0 / 256;
@@ -467,19 +511,36 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_search_1 <= (rows_search_rows_ready_words_0 / 256) mod 256 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_words_0 / 65536 when rows_ready_inside_1 else 0;
-      rows_search_3 <= rows_search_rows_ready_newest_0 when rows_ready_inside_3 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= (rows_reference_rows_ready_words_0 / 256) mod 256 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_words_0 / 65536 when rows_ready_inside_1 else 0;
-      rows_reference_3 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_3 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 256;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= (rows_search_rows_ready_words_0 / 256) mod 256;
+        rows_search_2 <= rows_search_rows_ready_words_0 / 65536;
+        rows_reference_1 <= (rows_reference_rows_ready_words_0 / 256) mod 256;
+        rows_reference_2 <= rows_reference_rows_ready_words_0 / 65536;
+      else
+        rows_search_1 <= 0;
+        rows_search_2 <= 0;
+        rows_reference_1 <= 0;
+        rows_reference_2 <= 0;
+      end if;
+      if rows_ready_inside_3 then
+        rows_search_3 <= rows_search_rows_ready_newest_0;
+        rows_reference_3 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_3 <= 0;
+        rows_reference_3 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 65536) + (rows_search_rows_ready_newest_0 *
           256) + (rows_search_rows_ready_newest_1 * 65536);
@@ -553,23 +614,26 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_1_0 <= 0;
+        slice0cost_column_1_1 <= 0;
+        slice0cost_column_1_2 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
+        slice0cost_column_1_0 <= slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
+        slice0cost_column_1_1 <= slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
+        slice0cost_column_1_2 <= slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -601,22 +665,32 @@ begin
       -- slice0winner1
       slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
       slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
       slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
       slice0winner1_best_index_0_1 <= 2;
       slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
-      slice0winner1_best_below_1_0 <= slice0window_sum_1_0 when slice0winner1_best_cost_1_0_is_less else 0;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
-      slice0winner1_best_above_1_0 <= 0 when slice0winner1_best_cost_1_0_is_less else slice0window_sum_1_1;
       slice0winner1_best_last_0_0 <= slice0window_sum_0_1;
       slice0winner1_best_last_1_0 <= slice0window_sum_1_1;
       slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+      end if;
+      if slice0winner1_best_cost_1_0_is_less then
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_1;
+        slice0winner1_best_below_1_0 <= slice0window_sum_1_0;
+        slice0winner1_best_above_1_0 <= 0;
+      else
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_0;
+        slice0winner1_best_below_1_0 <= 0;
+        slice0winner1_best_above_1_0 <= slice0window_sum_1_1;
+      end if;
       if slice0winner1_tag_valid then
         slice0winner1_tag_output_column <= slice0window_tag_output_column;
         slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -625,32 +699,44 @@ begin
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
-      slice0winner2_best_above_0_0_choice := slice0winner1_best_cost_0_1 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_above_1_0_choice := slice0winner1_best_cost_1_1 when slice0winner1_best_index_1_0 else
-        slice0winner1_best_above_1_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_best_below_0_0 <= slice0winner1_best_last_0_0 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_below_0_0;
-      slice0winner2_best_below_1_0 <= slice0winner1_best_last_1_0 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_below_1_0;
-      slice0winner2_best_above_0_0 <= 0 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner2_best_above_0_0_choice;
-      slice0winner2_best_above_1_0 <= 0 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner2_best_above_1_0_choice;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_cost_0_1;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
+      if slice0winner1_best_index_1_0 then
+        slice0winner2_best_above_1_0_choice := slice0winner1_best_cost_1_1;
+      else
+        slice0winner2_best_above_1_0_choice := slice0winner1_best_above_1_0;
+      end if;
       slice0winner2_best_last_0_0 <= slice0winner1_best_cost_0_1;
       slice0winner2_best_last_1_0 <= slice0winner1_best_cost_1_1;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner1_best_last_0_0;
+        slice0winner2_best_above_0_0 <= 0;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      end if;
+      if slice0winner2_best_cost_1_0_is_less then
+        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1;
+        slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_1_0 <= slice0winner1_best_last_1_0;
+        slice0winner2_best_above_1_0 <= 0;
+      else
+        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+        slice0winner2_best_index_1_0 <= as_number(slice0winner1_best_index_1_0);
+        slice0winner2_best_below_1_0 <= slice0winner1_best_below_1_0;
+        slice0winner2_best_above_1_0 <= slice0winner2_best_above_1_0_choice;
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
       slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
@@ -717,19 +803,22 @@ begin
       slice1cost_single_3_0 <= (folded(slice1cost_difference_3_0) + as_number((slice1cost_difference_3_0 < 0))) mod 256;
       slice1cost_single_3_1 <= (folded(slice1cost_difference_3_1) + as_number((slice1cost_difference_3_1 < 0))) mod 256;
       slice1cost_single_3_2 <= (folded(slice1cost_difference_3_2) + as_number((slice1cost_difference_3_2 < 0))) mod 256;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
-        as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
-        as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
-        as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
-        as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
-        as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
-        as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_1_0 <= 0;
+        slice1cost_column_1_1 <= 0;
+        slice1cost_column_1_2 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
+        slice1cost_column_1_0 <= slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
+        slice1cost_column_1_1 <= slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
+        slice1cost_column_1_2 <= slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -754,80 +843,122 @@ begin
       -- slice1winner1
       slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
       slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
       slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
       slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
-      slice1winner1_best_below_1_0 <= slice1window_sum_1_0 when slice1winner1_best_cost_1_0_is_less else 0;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
-      slice1winner1_best_above_1_0 <= 0 when slice1winner1_best_cost_1_0_is_less else slice1window_sum_1_1;
       slice1winner1_best_first_0_0 <= slice1window_sum_0_0;
       slice1winner1_best_first_1_0 <= slice1window_sum_1_0;
       slice1winner1_best_last_0_0 <= slice1window_sum_0_1;
       slice1winner1_best_last_1_0 <= slice1window_sum_1_1;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+      end if;
+      if slice1winner1_best_cost_1_0_is_less then
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_1;
+        slice1winner1_best_below_1_0 <= slice1window_sum_1_0;
+        slice1winner1_best_above_1_0 <= 0;
+      else
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_0;
+        slice1winner1_best_below_1_0 <= 0;
+        slice1winner1_best_above_1_0 <= slice1window_sum_1_1;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
-      slice1winner2_best_above_0_0_choice := slice1winner1_best_cost_0_1 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_above_1_0_choice := slice1winner1_best_cost_1_1 when slice1winner1_best_index_1_0 else
-        slice1winner1_best_above_1_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
-      slice1winner2_best_below_0_0 <= slice1winner1_best_last_0_0 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_below_0_0;
-      slice1winner2_best_below_1_0 <= slice1winner1_best_last_1_0 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_below_1_0;
-      slice1winner2_best_above_0_0 <= 0 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner2_best_above_0_0_choice;
-      slice1winner2_best_above_1_0 <= 0 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner2_best_above_1_0_choice;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_cost_0_1;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
+      if slice1winner1_best_index_1_0 then
+        slice1winner2_best_above_1_0_choice := slice1winner1_best_cost_1_1;
+      else
+        slice1winner2_best_above_1_0_choice := slice1winner1_best_above_1_0;
+      end if;
       slice1winner2_best_first_0_0 <= slice1winner1_best_first_0_0;
       slice1winner2_best_first_1_0 <= slice1winner1_best_first_1_0;
       slice1winner2_best_last_0_0 <= slice1winner1_best_cost_0_1;
       slice1winner2_best_last_1_0 <= slice1winner1_best_cost_1_1;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner1_best_last_0_0;
+        slice1winner2_best_above_0_0 <= 0;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      end if;
+      if slice1winner2_best_cost_1_0_is_less then
+        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1;
+        slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
+        slice1winner2_best_below_1_0 <= slice1winner1_best_last_1_0;
+        slice1winner2_best_above_1_0 <= 0;
+      else
+        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+        slice1winner2_best_index_1_0 <= as_number(slice1winner1_best_index_1_0);
+        slice1winner2_best_below_1_0 <= slice1winner1_best_below_1_0;
+        slice1winner2_best_above_1_0 <= slice1winner2_best_above_1_0_choice;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice1winner2_best_cost_0_0 - slice0_best_cost_0_0) < 0;
       slice1_best_cost_1_0_is_less := (slice1winner2_best_cost_1_0 - slice0_best_cost_1_0) < 0;
-      slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1winner2_best_index_0_0 = 0 else
-        slice1winner2_best_below_0_0;
-      slice1_best_below_1_0_choice := slice0_best_last_1_0 when slice1winner2_best_index_1_0 = 0 else
-        slice1winner2_best_below_1_0;
-      slice1_best_above_0_0_choice := slice1winner2_best_first_0_0 when slice0_best_index_0_0 = 2 else
-        slice0_best_above_0_0;
-      slice1_best_above_1_0_choice := slice1winner2_best_first_1_0 when slice0_best_index_1_0 = 2 else
-        slice0_best_above_1_0;
-      slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice0_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice1winner2_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice0_best_cost_1_0;
-      slice1_best_index_0_0 <= slice1winner2_best_index_0_0 + 3 when slice1_best_cost_0_0_is_less else
-        slice0_best_index_0_0;
-      slice1_best_index_1_0 <= slice1winner2_best_index_1_0 + 3 when slice1_best_cost_1_0_is_less else
-        slice0_best_index_1_0;
-      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
-        slice0_best_below_0_0;
-      slice1_best_below_1_0 <= slice1_best_below_1_0_choice when slice1_best_cost_1_0_is_less else
-        slice0_best_below_1_0;
-      slice1_best_above_0_0 <= slice1winner2_best_above_0_0 when slice1_best_cost_0_0_is_less else
-        slice1_best_above_0_0_choice;
-      slice1_best_above_1_0 <= slice1winner2_best_above_1_0 when slice1_best_cost_1_0_is_less else
-        slice1_best_above_1_0_choice;
+      if slice1winner2_best_index_0_0 = 0 then
+        slice1_best_below_0_0_choice := slice0_best_last_0_0;
+      else
+        slice1_best_below_0_0_choice := slice1winner2_best_below_0_0;
+      end if;
+      if slice1winner2_best_index_1_0 = 0 then
+        slice1_best_below_1_0_choice := slice0_best_last_1_0;
+      else
+        slice1_best_below_1_0_choice := slice1winner2_best_below_1_0;
+      end if;
+      if slice0_best_index_0_0 = 2 then
+        slice1_best_above_0_0_choice := slice1winner2_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice0_best_above_0_0;
+      end if;
+      if slice0_best_index_1_0 = 2 then
+        slice1_best_above_1_0_choice := slice1winner2_best_first_1_0;
+      else
+        slice1_best_above_1_0_choice := slice0_best_above_1_0;
+      end if;
       slice1_best_last_0_0 <= slice1winner2_best_last_0_0;
       slice1_best_last_1_0 <= slice1winner2_best_last_1_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1_best_index_0_0 <= slice1winner2_best_index_0_0 + 3;
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice1winner2_best_above_0_0;
+      else
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice0_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      end if;
+      if slice1_best_cost_1_0_is_less then
+        slice1_best_cost_1_0 <= slice1winner2_best_cost_1_0;
+        slice1_best_index_1_0 <= slice1winner2_best_index_1_0 + 3;
+        slice1_best_below_1_0 <= slice1_best_below_1_0_choice;
+        slice1_best_above_1_0 <= slice1winner2_best_above_1_0;
+      else
+        slice1_best_cost_1_0 <= slice0_best_cost_1_0;
+        slice1_best_index_1_0 <= slice0_best_index_1_0;
+        slice1_best_below_1_0 <= slice0_best_below_1_0;
+        slice1_best_above_1_0 <= slice1_best_above_1_0_choice;
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice1shift_search_out_0;
@@ -862,14 +993,17 @@ begin
       slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
       slice2cost_single_3_0 <= (folded(slice2cost_difference_3_0) + as_number((slice2cost_difference_3_0 < 0))) mod 256;
       slice2cost_single_3_1 <= (folded(slice2cost_difference_3_1) + as_number((slice2cost_difference_3_1 < 0))) mod 256;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
-        as_number(slice2cost_negative_0_0) + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
-        as_number(slice2cost_negative_0_1) + slice2cost_single_0_1;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
-        as_number(slice2cost_negative_0_0) + slice2cost_single_3_0;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
-        as_number(slice2cost_negative_0_1) + slice2cost_single_3_1;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+        slice2cost_column_1_0 <= 0;
+        slice2cost_column_1_1 <= 0;
+      else
+        slice2cost_column_0_0 <= slice2cost_pair_0_0 + as_number(slice2cost_negative_0_0) + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= slice2cost_pair_0_1 + as_number(slice2cost_negative_0_1) + slice2cost_single_0_1;
+        slice2cost_column_1_0 <= slice2cost_pair_0_0 + as_number(slice2cost_negative_0_0) + slice2cost_single_3_0;
+        slice2cost_column_1_1 <= slice2cost_pair_0_1 + as_number(slice2cost_negative_0_1) + slice2cost_single_3_1;
+      end if;
       -- slice2window
       if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -888,18 +1022,28 @@ begin
       -- slice2winner1
       slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
-        slice2window_sum_1_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
-      slice2winner1_best_below_0_0 <= slice2window_sum_0_0 when slice2winner1_best_cost_0_0_is_less else 0;
-      slice2winner1_best_below_1_0 <= slice2window_sum_1_0 when slice2winner1_best_cost_1_0_is_less else 0;
-      slice2winner1_best_above_0_0 <= 0 when slice2winner1_best_cost_0_0_is_less else slice2window_sum_0_1;
-      slice2winner1_best_above_1_0 <= 0 when slice2winner1_best_cost_1_0_is_less else slice2window_sum_1_1;
       slice2winner1_best_first_0_0 <= slice2window_sum_0_0;
       slice2winner1_best_first_1_0 <= slice2window_sum_1_0;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+        slice2winner1_best_below_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_above_0_0 <= 0;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+        slice2winner1_best_below_0_0 <= 0;
+        slice2winner1_best_above_0_0 <= slice2window_sum_0_1;
+      end if;
+      if slice2winner1_best_cost_1_0_is_less then
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_1;
+        slice2winner1_best_below_1_0 <= slice2window_sum_1_0;
+        slice2winner1_best_above_1_0 <= 0;
+      else
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_0;
+        slice2winner1_best_below_1_0 <= 0;
+        slice2winner1_best_above_1_0 <= slice2window_sum_1_1;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
@@ -914,32 +1058,52 @@ begin
       -- slice2
       slice2_best_cost_0_0_is_less := (slice2winner2_best_cost_0_0 - slice1_best_cost_0_0) < 0;
       slice2_best_cost_1_0_is_less := (slice2winner2_best_cost_1_0 - slice1_best_cost_1_0) < 0;
-      slice2_best_below_0_0_choice := slice2winner2_best_below_0_0 when slice2winner2_best_index_0_0 else
-        slice1_best_last_0_0;
-      slice2_best_below_1_0_choice := slice2winner2_best_below_1_0 when slice2winner2_best_index_1_0 else
-        slice1_best_last_1_0;
-      slice2_best_above_0_0_choice := slice2winner2_best_first_0_0 when slice1_best_index_0_0 = 5 else
-        slice1_best_above_0_0;
-      slice2_best_above_1_0_choice := slice2winner2_best_first_1_0 when slice1_best_index_1_0 = 5 else
-        slice1_best_above_1_0;
-      slice2_best_cost_0_0 <= slice2winner2_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice1_best_cost_0_0;
-      slice2_best_cost_1_0 <= slice2winner2_best_cost_1_0 when slice2_best_cost_1_0_is_less else slice1_best_cost_1_0;
-      slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0) + 6 when slice2_best_cost_0_0_is_less else
-        slice1_best_index_0_0;
-      slice2_best_index_1_0 <= as_number(slice2winner2_best_index_1_0) + 6 when slice2_best_cost_1_0_is_less else
-        slice1_best_index_1_0;
-      slice2_best_below_0_0 <= slice2_best_below_0_0_choice when slice2_best_cost_0_0_is_less else
-        slice1_best_below_0_0;
-      slice2_best_below_1_0 <= slice2_best_below_1_0_choice when slice2_best_cost_1_0_is_less else
-        slice1_best_below_1_0;
-      slice2_best_above_0_0 <= slice2winner2_best_above_0_0 when slice2_best_cost_0_0_is_less else
-        slice2_best_above_0_0_choice;
-      slice2_best_above_1_0 <= slice2winner2_best_above_1_0 when slice2_best_cost_1_0_is_less else
-        slice2_best_above_1_0_choice;
+      if slice2winner2_best_index_0_0 then
+        slice2_best_below_0_0_choice := slice2winner2_best_below_0_0;
+      else
+        slice2_best_below_0_0_choice := slice1_best_last_0_0;
+      end if;
+      if slice2winner2_best_index_1_0 then
+        slice2_best_below_1_0_choice := slice2winner2_best_below_1_0;
+      else
+        slice2_best_below_1_0_choice := slice1_best_last_1_0;
+      end if;
+      if slice1_best_index_0_0 = 5 then
+        slice2_best_above_0_0_choice := slice2winner2_best_first_0_0;
+      else
+        slice2_best_above_0_0_choice := slice1_best_above_0_0;
+      end if;
+      if slice1_best_index_1_0 = 5 then
+        slice2_best_above_1_0_choice := slice2winner2_best_first_1_0;
+      else
+        slice2_best_above_1_0_choice := slice1_best_above_1_0;
+      end if;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if slice2_best_cost_0_0_is_less then
+        slice2_best_cost_0_0 <= slice2winner2_best_cost_0_0;
+        slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0) + 6;
+        slice2_best_below_0_0 <= slice2_best_below_0_0_choice;
+        slice2_best_above_0_0 <= slice2winner2_best_above_0_0;
+      else
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+        slice2_best_below_0_0 <= slice1_best_below_0_0;
+        slice2_best_above_0_0 <= slice2_best_above_0_0_choice;
+      end if;
+      if slice2_best_cost_1_0_is_less then
+        slice2_best_cost_1_0 <= slice2winner2_best_cost_1_0;
+        slice2_best_index_1_0 <= as_number(slice2winner2_best_index_1_0) + 6;
+        slice2_best_below_1_0 <= slice2_best_below_1_0_choice;
+        slice2_best_above_1_0 <= slice2winner2_best_above_1_0;
+      else
+        slice2_best_cost_1_0 <= slice1_best_cost_1_0;
+        slice2_best_index_1_0 <= slice1_best_index_1_0;
+        slice2_best_below_1_0 <= slice1_best_below_1_0;
+        slice2_best_above_1_0 <= slice2_best_above_1_0_choice;
+      end if;
       -- refinement
       refinement_tag_0_row_start_difference := (refinement_remainder_0_0 + 8192) - refinement_divisor_0_0;
       refinement_remainder_1_1_difference := (refinement_remainder_0_1 + 8192) - refinement_divisor_0_1;
@@ -956,9 +1120,17 @@ begin
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 8192) - refinement_divisor_6_0;
       refinement_remainder_7_1_difference := ((refinement_remainder_6_1 * 2) + 8192) - refinement_divisor_6_1;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_divisor_0_1_is_less := (-1) < refinement_difference_1;
-      refinement_divisor_0_1_choice := refinement_v_1 when refinement_divisor_0_1_is_less else refinement_u_1;
+      if refinement_divisor_0_1_is_less then
+        refinement_divisor_0_1_choice := refinement_v_1;
+      else
+        refinement_divisor_0_1_choice := refinement_u_1;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -1070,10 +1242,6 @@ begin
       refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
       refinement_cost_0 <= slice2_best_cost_0_0;
       refinement_cost_1 <= slice2_best_cost_1_0;
-      refinement_below_0 <= slice2_best_above_0_0 when slice2_best_index_0_0 = 0 else slice2_best_below_0_0;
-      refinement_below_1 <= slice2_best_above_1_0 when slice2_best_index_1_0 = 0 else slice2_best_below_1_0;
-      refinement_above_0 <= slice2_best_below_0_0 when slice2_best_index_0_0 = 7 else slice2_best_above_0_0;
-      refinement_above_1 <= slice2_best_below_1_0 when slice2_best_index_1_0 = 7 else slice2_best_above_1_0;
       refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 4096;
       refinement_u_1 <= (refinement_below_1 - refinement_cost_1) mod 4096;
       refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 4096;
@@ -1082,34 +1250,6 @@ begin
       refinement_difference_1 <= refinement_above_1 - refinement_below_1;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
       refinement_remainder_0_1 <= magnitude(refinement_difference_1);
-      refinement_remainder_1_0 <= refinement_tag_0_row_start_difference mod 4096 when
-        (refinement_tag_0_row_start_difference / 8192) = 1 else refinement_remainder_0_0;
-      refinement_remainder_1_1 <= refinement_remainder_1_1_difference mod 4096 when
-        (refinement_remainder_1_1_difference / 8192) = 1 else refinement_remainder_0_1;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096 when
-        (refinement_remainder_2_0_difference / 8192) = 1 else (refinement_remainder_1_0 mod 2048) * 2;
-      refinement_remainder_2_1 <= refinement_remainder_2_1_difference mod 4096 when
-        (refinement_remainder_2_1_difference / 8192) = 1 else (refinement_remainder_1_1 mod 2048) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096 when
-        (refinement_remainder_3_0_difference / 8192) = 1 else (refinement_remainder_2_0 mod 2048) * 2;
-      refinement_remainder_3_1 <= refinement_remainder_3_1_difference mod 4096 when
-        (refinement_remainder_3_1_difference / 8192) = 1 else (refinement_remainder_2_1 mod 2048) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096 when
-        (refinement_remainder_4_0_difference / 8192) = 1 else (refinement_remainder_3_0 mod 2048) * 2;
-      refinement_remainder_4_1 <= refinement_remainder_4_1_difference mod 4096 when
-        (refinement_remainder_4_1_difference / 8192) = 1 else (refinement_remainder_3_1 mod 2048) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096 when
-        (refinement_remainder_5_0_difference / 8192) = 1 else (refinement_remainder_4_0 mod 2048) * 2;
-      refinement_remainder_5_1 <= refinement_remainder_5_1_difference mod 4096 when
-        (refinement_remainder_5_1_difference / 8192) = 1 else (refinement_remainder_4_1 mod 2048) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096 when
-        (refinement_remainder_6_0_difference / 8192) = 1 else (refinement_remainder_5_0 mod 2048) * 2;
-      refinement_remainder_6_1 <= refinement_remainder_6_1_difference mod 4096 when
-        (refinement_remainder_6_1_difference / 8192) = 1 else (refinement_remainder_5_1 mod 2048) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096 when
-        (refinement_remainder_7_0_difference / 8192) = 1 else (refinement_remainder_6_0 mod 2048) * 2;
-      refinement_remainder_7_1 <= refinement_remainder_7_1_difference mod 4096 when
-        (refinement_remainder_7_1_difference / 8192) = 1 else (refinement_remainder_6_1 mod 2048) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 12)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 12))));
       refinement_divisor_0_1 <= to_integer(((to_unsigned(refinement_divisor_0_1_choice, 12)) or
@@ -1152,6 +1292,96 @@ begin
       refinement_negative_8_1 <= refinement_negative_7_1;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
       refinement_fraction_1 <= ((((refinement_fraction_1_choice / 8) + 1) mod 32) * 8) + refinement_fraction_1_choice_2;
+      if slice2_best_index_0_0 = 0 then
+        refinement_below_0 <= slice2_best_above_0_0;
+      else
+        refinement_below_0 <= slice2_best_below_0_0;
+      end if;
+      if slice2_best_index_1_0 = 0 then
+        refinement_below_1 <= slice2_best_above_1_0;
+      else
+        refinement_below_1 <= slice2_best_below_1_0;
+      end if;
+      if slice2_best_index_0_0 = 7 then
+        refinement_above_0 <= slice2_best_below_0_0;
+      else
+        refinement_above_0 <= slice2_best_above_0_0;
+      end if;
+      if slice2_best_index_1_0 = 7 then
+        refinement_above_1 <= slice2_best_below_1_0;
+      else
+        refinement_above_1 <= slice2_best_above_1_0;
+      end if;
+      if (refinement_tag_0_row_start_difference / 8192) = 1 then
+        refinement_remainder_1_0 <= refinement_tag_0_row_start_difference mod 4096;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_1_1_difference / 8192) = 1 then
+        refinement_remainder_1_1 <= refinement_remainder_1_1_difference mod 4096;
+      else
+        refinement_remainder_1_1 <= refinement_remainder_0_1;
+      end if;
+      if (refinement_remainder_2_0_difference / 8192) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 4096;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_2_1_difference / 8192) = 1 then
+        refinement_remainder_2_1 <= refinement_remainder_2_1_difference mod 4096;
+      else
+        refinement_remainder_2_1 <= (refinement_remainder_1_1 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 8192) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 4096;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_3_1_difference / 8192) = 1 then
+        refinement_remainder_3_1 <= refinement_remainder_3_1_difference mod 4096;
+      else
+        refinement_remainder_3_1 <= (refinement_remainder_2_1 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 8192) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 4096;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_4_1_difference / 8192) = 1 then
+        refinement_remainder_4_1 <= refinement_remainder_4_1_difference mod 4096;
+      else
+        refinement_remainder_4_1 <= (refinement_remainder_3_1 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 8192) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 4096;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_5_1_difference / 8192) = 1 then
+        refinement_remainder_5_1 <= refinement_remainder_5_1_difference mod 4096;
+      else
+        refinement_remainder_5_1 <= (refinement_remainder_4_1 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 8192) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 4096;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_6_1_difference / 8192) = 1 then
+        refinement_remainder_6_1 <= refinement_remainder_6_1_difference mod 4096;
+      else
+        refinement_remainder_6_1 <= (refinement_remainder_5_1 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 8192) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 4096;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 2048) * 2;
+      end if;
+      if (refinement_remainder_7_1_difference / 8192) = 1 then
+        refinement_remainder_7_1 <= refinement_remainder_7_1_difference mod 4096;
+      else
+        refinement_remainder_7_1 <= (refinement_remainder_6_1 mod 2048) * 2;
+      end if;
       -- map
       map_out_disparity_0 <= (((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) +
         ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);

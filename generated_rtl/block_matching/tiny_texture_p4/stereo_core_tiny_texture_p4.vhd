@@ -394,14 +394,41 @@ architecture rtl of stereo_core_tiny_texture_p4 is
   signal texturewindow_partial_3_1_0 : natural range 0 to 510;
   signal texturewindow_sum_0_0, texturewindow_sum_1_0, texturewindow_sum_2_0 : natural range 0 to 765;
   signal texturewindow_sum_3_0 : natural range 0 to 765;
+  signal transform_left_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal transform_left_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal transform_left_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal transform_right_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal transform_right_rows_read_words_1_memory_write_data : unsigned(7 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(6 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(6 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(2 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(2 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(27 downto 0);
 
 begin
@@ -415,77 +442,104 @@ begin
   disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
 
+  transform_left_rows_read_words_1_memory_read_enable <= true;
+  transform_left_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_left_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_left_rows_read_words_1_memory_write_data <= to_unsigned(transform_left_rows_write_words_1, 8);
   transform_left_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 8)
+    generic map (depth => 32, width => 8, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_1_memory_read_enable,
+      read_address => transform_left_rows_read_words_1_memory_read_address, read_data => transform_left_rows_read_words_1,
+      write_address => transform_left_rows_read_words_1_memory_write_address, write_data => transform_left_rows_read_words_1_memory_write_data);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_1_memory_read_enable <= true;
+  transform_right_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_right_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_right_rows_read_words_1_memory_write_data <= to_unsigned(transform_right_rows_write_words_1, 8);
   transform_right_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 8)
+    generic map (depth => 32, width => 8, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_1_memory_read_enable,
+      read_address => transform_right_rows_read_words_1_memory_read_address, read_data => transform_right_rows_read_words_1,
+      write_address => transform_right_rows_read_words_1_memory_write_address, write_data => transform_right_rows_read_words_1_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned((rows_search_rows_write_words_1 mod 128), 7);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 7)
+    generic map (depth => 32, width => 7, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned((rows_search_rows_write_words_0 mod 268435456), 28);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 28)
+    generic map (depth => 32, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 7);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 7)
+    generic map (depth => 32, width => 7, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 28);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 28)
+    generic map (depth => 32, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 3);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 3);
   delay_delayed_0_memory_write_data <= ((((((to_unsigned(raster_features_reference_2, 14) & to_unsigned(0, 14)) or (to_unsigned(raster_features_reference_3, 7) & to_unsigned(0, 21)))) or (to_unsigned(raster_features_reference_0, 28)))) or (to_unsigned(raster_features_reference_1, 21) & to_unsigned(0, 7)));
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 28)
+    generic map (depth => 8, width => 28, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_all : boolean;
@@ -577,46 +631,104 @@ begin
       -- transform
       transform_counter_group_is_equal := transform_counter_column = 31;
       transform_counter_group_all := transform_counter_group_is_equal and (transform_counter_group = 2);
-      transform_counter_group_choice := 3 when transform_counter_group_all else 0;
+      if transform_counter_group_all then
+        transform_counter_group_choice := 3;
+      else
+        transform_counter_group_choice := 0;
+      end if;
       transform_counter_group_is_equal_2 := transform_counter_group = 3;
-      transform_counter_group_choice_2 := 1 when transform_counter_next_frame and transform_counter_group_is_equal_2
-        else (transform_counter_group + 1) mod 8;
-      transform_counter_group_choice_3 := transform_counter_group_choice_2 when (transform_counter_group /= 4) and
-        transform_counter_group_is_equal and in_valid else transform_counter_group;
+      if transform_counter_next_frame and transform_counter_group_is_equal_2 then
+        transform_counter_group_choice_2 := 1;
+      else
+        transform_counter_group_choice_2 := (transform_counter_group + 1) mod 8;
+      end if;
+      if (transform_counter_group /= 4) and transform_counter_group_is_equal and in_valid then
+        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+      else
+        transform_counter_group_choice_3 := transform_counter_group;
+      end if;
       transform_read_row_inside_0_is_equal := (transform_counter_group / 2) = 1;
       transform_read_column_inside_0_differs := (transform_counter_column / 2) /= 0;
-      transform_left_filter_feature_0_choice := 62 when 31 < transform_left_filter_slope_0 else
-        (transform_left_filter_slope_0 + 31) mod 128;
-      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-31) else
-        transform_left_filter_feature_0_choice;
-      transform_left_filter_feature_1_choice := 62 when 31 < transform_left_filter_slope_1 else
-        (transform_left_filter_slope_1 + 31) mod 256;
-      transform_left_filter_feature_1_choice_2 := 0 when transform_left_filter_slope_1 < (-31) else
-        transform_left_filter_feature_1_choice;
-      transform_left_filter_feature_2_choice := 62 when 31 < transform_left_filter_slope_2 else
-        (transform_left_filter_slope_2 + 31) mod 256;
-      transform_left_filter_feature_2_choice_2 := 0 when transform_left_filter_slope_2 < (-31) else
-        transform_left_filter_feature_2_choice;
-      transform_left_filter_feature_3_choice := 62 when 31 < transform_left_filter_slope_3 else
-        (transform_left_filter_slope_3 + 31) mod 65536;
-      transform_left_filter_feature_3_choice_2 := 0 when transform_left_filter_slope_3 < (-31) else
-        transform_left_filter_feature_3_choice;
-      transform_right_filter_feature_0_choice := 62 when 31 < transform_right_filter_slope_0 else
-        (transform_right_filter_slope_0 + 31) mod 65536;
-      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-31) else
-        transform_right_filter_feature_0_choice;
-      transform_right_filter_feature_1_choice := 62 when 31 < transform_right_filter_slope_1 else
-        (transform_right_filter_slope_1 + 31) mod 256;
-      transform_right_filter_feature_1_choice_2 := 0 when transform_right_filter_slope_1 < (-31) else
-        transform_right_filter_feature_1_choice;
-      transform_right_filter_feature_2_choice := 62 when 31 < transform_right_filter_slope_2 else
-        (transform_right_filter_slope_2 + 31) mod 256;
-      transform_right_filter_feature_2_choice_2 := 0 when transform_right_filter_slope_2 < (-31) else
-        transform_right_filter_feature_2_choice;
-      transform_right_filter_feature_3_choice := 62 when 31 < transform_right_filter_slope_3 else
-        (transform_right_filter_slope_3 + 31) mod 256;
-      transform_right_filter_feature_3_choice_2 := 0 when transform_right_filter_slope_3 < (-31) else
-        transform_right_filter_feature_3_choice;
+      if 31 < transform_left_filter_slope_0 then
+        transform_left_filter_feature_0_choice := 62;
+      else
+        transform_left_filter_feature_0_choice := (transform_left_filter_slope_0 + 31) mod 128;
+      end if;
+      if transform_left_filter_slope_0 < (-31) then
+        transform_left_filter_feature_0_choice_2 := 0;
+      else
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      end if;
+      if 31 < transform_left_filter_slope_1 then
+        transform_left_filter_feature_1_choice := 62;
+      else
+        transform_left_filter_feature_1_choice := (transform_left_filter_slope_1 + 31) mod 256;
+      end if;
+      if transform_left_filter_slope_1 < (-31) then
+        transform_left_filter_feature_1_choice_2 := 0;
+      else
+        transform_left_filter_feature_1_choice_2 := transform_left_filter_feature_1_choice;
+      end if;
+      if 31 < transform_left_filter_slope_2 then
+        transform_left_filter_feature_2_choice := 62;
+      else
+        transform_left_filter_feature_2_choice := (transform_left_filter_slope_2 + 31) mod 256;
+      end if;
+      if transform_left_filter_slope_2 < (-31) then
+        transform_left_filter_feature_2_choice_2 := 0;
+      else
+        transform_left_filter_feature_2_choice_2 := transform_left_filter_feature_2_choice;
+      end if;
+      if 31 < transform_left_filter_slope_3 then
+        transform_left_filter_feature_3_choice := 62;
+      else
+        transform_left_filter_feature_3_choice := (transform_left_filter_slope_3 + 31) mod 65536;
+      end if;
+      if transform_left_filter_slope_3 < (-31) then
+        transform_left_filter_feature_3_choice_2 := 0;
+      else
+        transform_left_filter_feature_3_choice_2 := transform_left_filter_feature_3_choice;
+      end if;
+      if 31 < transform_right_filter_slope_0 then
+        transform_right_filter_feature_0_choice := 62;
+      else
+        transform_right_filter_feature_0_choice := (transform_right_filter_slope_0 + 31) mod 65536;
+      end if;
+      if transform_right_filter_slope_0 < (-31) then
+        transform_right_filter_feature_0_choice_2 := 0;
+      else
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      end if;
+      if 31 < transform_right_filter_slope_1 then
+        transform_right_filter_feature_1_choice := 62;
+      else
+        transform_right_filter_feature_1_choice := (transform_right_filter_slope_1 + 31) mod 256;
+      end if;
+      if transform_right_filter_slope_1 < (-31) then
+        transform_right_filter_feature_1_choice_2 := 0;
+      else
+        transform_right_filter_feature_1_choice_2 := transform_right_filter_feature_1_choice;
+      end if;
+      if 31 < transform_right_filter_slope_2 then
+        transform_right_filter_feature_2_choice := 62;
+      else
+        transform_right_filter_feature_2_choice := (transform_right_filter_slope_2 + 31) mod 256;
+      end if;
+      if transform_right_filter_slope_2 < (-31) then
+        transform_right_filter_feature_2_choice_2 := 0;
+      else
+        transform_right_filter_feature_2_choice_2 := transform_right_filter_feature_2_choice;
+      end if;
+      if 31 < transform_right_filter_slope_3 then
+        transform_right_filter_feature_3_choice := 62;
+      else
+        transform_right_filter_feature_3_choice := (transform_right_filter_slope_3 + 31) mod 256;
+      end if;
+      if transform_right_filter_slope_3 < (-31) then
+        transform_right_filter_feature_3_choice_2 := 0;
+      else
+        transform_right_filter_feature_3_choice_2 := transform_right_filter_feature_3_choice;
+      end if;
       transform_left_0 <= to_integer(in_left_pixel(7 downto 0));
       transform_left_1 <= to_integer(in_left_pixel(15 downto 8));
       transform_left_2 <= to_integer(in_left_pixel(23 downto 16));
@@ -626,8 +738,6 @@ begin
       transform_right_2 <= to_integer(in_right_pixel(23 downto 16));
       transform_right_3 <= to_integer(in_right_pixel(31 downto 24));
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice when in_start_of_frame and in_valid else
-        transform_counter_group_choice_3;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_read_newest_1 <= transform_left_1;
       transform_left_rows_read_newest_2 <= transform_left_2;
@@ -649,12 +759,6 @@ begin
       transform_right_rows_ready_newest_2 <= transform_right_rows_read_newest_2;
       transform_right_rows_ready_newest_3 <= transform_right_rows_read_newest_3;
       transform_read_column <= transform_counter_column;
-      transform_read_row_inside_0 <= transform_read_row_inside_0_is_equal when (transform_counter_group mod 2) = 1 else
-        ((transform_counter_group / 4) = 1) /= (((transform_counter_group / 2) mod 2) = 1);
-      transform_read_row_inside_1 <= not ((transform_counter_group / 4) = 1) when (transform_counter_group mod 2) = 1
-        else transform_read_row_inside_0_is_equal;
-      transform_read_row_inside_5 <= (transform_counter_group / 2) = 0 when (transform_counter_group mod 2) = 1 else
-        not ((transform_counter_group / 4) = 1);
       transform_read_column_inside_0 <= transform_read_column_inside_0_differs or ((transform_counter_column mod 2) =
         1);
       transform_read_column_inside_2 <= transform_read_column_inside_0_differs or (not ((transform_counter_column mod
@@ -693,26 +797,10 @@ begin
       transform_left_filter_slope_2 <= transform_left_filter_column_0_2 - transform_left_filter_column_2_2;
       transform_left_filter_slope_3 <= transform_left_filter_column_0_3 - transform_left_filter_column_2_3;
       transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
-      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
-        31;
-      transform_left_filter_feature_1 <= transform_left_filter_feature_1_choice_2 when transform_left_filter_whole else
-        31;
-      transform_left_filter_feature_2 <= transform_left_filter_feature_2_choice_2 when transform_left_filter_whole else
-        31;
-      transform_left_filter_feature_3 <= transform_left_filter_feature_3_choice_2 when transform_left_filter_whole else
-        31;
       transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
       transform_right_filter_slope_1 <= transform_right_filter_column_0_1 - transform_right_filter_column_2_1;
       transform_right_filter_slope_2 <= transform_right_filter_column_0_2 - transform_right_filter_column_2_2;
       transform_right_filter_slope_3 <= transform_right_filter_column_0_3 - transform_right_filter_column_2_3;
-      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
-        else 31;
-      transform_right_filter_feature_1 <= transform_right_filter_feature_1_choice_2 when transform_left_filter_whole
-        else 31;
-      transform_right_filter_feature_2 <= transform_right_filter_feature_2_choice_2 when transform_left_filter_whole
-        else 31;
-      transform_right_filter_feature_3 <= transform_right_filter_feature_3_choice_2 when transform_left_filter_whole
-        else 31;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -721,14 +809,58 @@ begin
       transform_filtering_1_valid <= transform_filtering_0_valid;
       transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
       transform_filtering_2_valid <= transform_filtering_1_valid;
+      if in_start_of_frame and in_valid then
+        transform_counter_group <= transform_counter_group_choice;
+      else
+        transform_counter_group <= transform_counter_group_choice_3;
+      end if;
+      if (transform_counter_group mod 2) = 1 then
+        transform_read_row_inside_0 <= transform_read_row_inside_0_is_equal;
+        transform_read_row_inside_1 <= not ((transform_counter_group / 4) = 1);
+        transform_read_row_inside_5 <= (transform_counter_group / 2) = 0;
+      else
+        transform_read_row_inside_0 <= ((transform_counter_group / 4) = 1) /= (((transform_counter_group / 2) mod 2) =
+          1);
+        transform_read_row_inside_1 <= transform_read_row_inside_0_is_equal;
+        transform_read_row_inside_5 <= not ((transform_counter_group / 4) = 1);
+      end if;
+      if transform_left_filter_whole then
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2;
+        transform_left_filter_feature_1 <= transform_left_filter_feature_1_choice_2;
+        transform_left_filter_feature_2 <= transform_left_filter_feature_2_choice_2;
+        transform_left_filter_feature_3 <= transform_left_filter_feature_3_choice_2;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2;
+        transform_right_filter_feature_1 <= transform_right_filter_feature_1_choice_2;
+        transform_right_filter_feature_2 <= transform_right_filter_feature_2_choice_2;
+        transform_right_filter_feature_3 <= transform_right_filter_feature_3_choice_2;
+      else
+        transform_left_filter_feature_0 <= 31;
+        transform_left_filter_feature_1 <= 31;
+        transform_left_filter_feature_2 <= 31;
+        transform_left_filter_feature_3 <= 31;
+        transform_right_filter_feature_0 <= 31;
+        transform_right_filter_feature_1 <= 31;
+        transform_right_filter_feature_2 <= 31;
+        transform_right_filter_feature_3 <= 31;
+      end if;
       transform_counter_next_frame_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      transform_counter_next_frame_choice := in_start_of_frame when transform_counter_next_frame_all else
-        transform_counter_next_frame or in_start_of_frame;
+      if transform_counter_next_frame_all then
+        transform_counter_next_frame_choice := in_start_of_frame;
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame or in_start_of_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
-          (transform_counter_column + 1) mod 32;
-        transform_counter_next_frame <= transform_counter_next_frame_choice when transform_counter_group_all else (not
-          transform_counter_next_frame_all) and transform_counter_next_frame and (not in_start_of_frame);
+        if transform_counter_group_is_equal or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 32;
+        end if;
+        if transform_counter_group_all then
+          transform_counter_next_frame <= transform_counter_next_frame_choice;
+        else
+          transform_counter_next_frame <= (not transform_counter_next_frame_all) and transform_counter_next_frame and
+            (not in_start_of_frame);
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_2, 8) &
@@ -741,54 +873,126 @@ begin
         transform_right_rows_write_words_1 <= transform_right_rows_ready_newest_3;
         transform_write_column <= transform_ready_column;
       end if;
-      transform_left_filter_column_0_0_choice := transform_left_column_0 when transform_columns_row_inside_0 else
-        transform_left_column_2;
-      transform_left_filter_column_0_0_choice_2 := transform_left_column_2 when transform_columns_row_inside_1 else
-        transform_left_column_0;
-      transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_left_column_0 mod 2) = 1;
-      transform_left_filter_column_0_1_choice := transform_left_column_1 when transform_columns_row_inside_1 else
-        transform_left_column_3;
-      transform_left_filter_column_0_1_choice_2 := transform_left_column_3 when transform_columns_row_inside_1 else
-        transform_left_column_1;
-      transform_left_filter_column_0_1_choice_3 := (transform_left_column_3 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_left_column_1 mod 2) = 1;
-      transform_left_filter_column_0_2_choice := transform_left_column_2 when transform_columns_row_inside_1 else
-        transform_left_column_4;
-      transform_left_filter_column_0_2_choice_2 := transform_left_column_4 when transform_columns_row_inside_1 else
-        transform_left_column_2;
-      transform_left_filter_column_0_2_choice_3 := (transform_left_column_4 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_left_column_2 mod 2) = 1;
-      transform_left_filter_column_0_3_choice := transform_left_column_3 when transform_columns_row_inside_1 else
-        transform_left_column_5;
-      transform_left_filter_column_0_3_choice_2 := transform_left_column_5 when transform_columns_row_inside_5 else
-        transform_left_column_3;
-      transform_left_filter_column_0_3_choice_3 := (transform_left_column_5 mod 2) = 1 when
-        transform_columns_row_inside_5 else (transform_left_column_3 mod 2) = 1;
-      transform_right_filter_column_0_0_choice := transform_right_column_0 when transform_columns_row_inside_0 else
-        transform_right_column_2;
-      transform_right_filter_column_0_0_choice_2 := transform_right_column_2 when transform_columns_row_inside_1 else
-        transform_right_column_0;
-      transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_right_column_0 mod 2) = 1;
-      transform_right_filter_column_0_1_choice := transform_right_column_1 when transform_columns_row_inside_1 else
-        transform_right_column_3;
-      transform_right_filter_column_0_1_choice_2 := transform_right_column_3 when transform_columns_row_inside_1 else
-        transform_right_column_1;
-      transform_right_filter_column_0_1_choice_3 := (transform_right_column_3 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_right_column_1 mod 2) = 1;
-      transform_right_filter_column_0_2_choice := transform_right_column_2 when transform_columns_row_inside_1 else
-        transform_right_column_4;
-      transform_right_filter_column_0_2_choice_2 := transform_right_column_4 when transform_columns_row_inside_1 else
-        transform_right_column_2;
-      transform_right_filter_column_0_2_choice_3 := (transform_right_column_4 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_right_column_2 mod 2) = 1;
-      transform_right_filter_column_0_3_choice := transform_right_column_3 when transform_columns_row_inside_1 else
-        transform_right_column_5;
-      transform_right_filter_column_0_3_choice_2 := transform_right_column_5 when transform_columns_row_inside_5 else
-        transform_right_column_3;
-      transform_right_filter_column_0_3_choice_3 := (transform_right_column_5 mod 2) = 1 when
-        transform_columns_row_inside_5 else (transform_right_column_3 mod 2) = 1;
+      if transform_columns_row_inside_0 then
+        transform_left_filter_column_0_0_choice := transform_left_column_0;
+      else
+        transform_left_filter_column_0_0_choice := transform_left_column_2;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_2;
+      else
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_0;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1;
+      else
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_0 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_1_choice := transform_left_column_1;
+      else
+        transform_left_filter_column_0_1_choice := transform_left_column_3;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_1_choice_2 := transform_left_column_3;
+      else
+        transform_left_filter_column_0_1_choice_2 := transform_left_column_1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_1_choice_3 := (transform_left_column_3 mod 2) = 1;
+      else
+        transform_left_filter_column_0_1_choice_3 := (transform_left_column_1 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_2_choice := transform_left_column_2;
+      else
+        transform_left_filter_column_0_2_choice := transform_left_column_4;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_2_choice_2 := transform_left_column_4;
+      else
+        transform_left_filter_column_0_2_choice_2 := transform_left_column_2;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_2_choice_3 := (transform_left_column_4 mod 2) = 1;
+      else
+        transform_left_filter_column_0_2_choice_3 := (transform_left_column_2 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_3_choice := transform_left_column_3;
+      else
+        transform_left_filter_column_0_3_choice := transform_left_column_5;
+      end if;
+      if transform_columns_row_inside_5 then
+        transform_left_filter_column_0_3_choice_2 := transform_left_column_5;
+      else
+        transform_left_filter_column_0_3_choice_2 := transform_left_column_3;
+      end if;
+      if transform_columns_row_inside_5 then
+        transform_left_filter_column_0_3_choice_3 := (transform_left_column_5 mod 2) = 1;
+      else
+        transform_left_filter_column_0_3_choice_3 := (transform_left_column_3 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_0 then
+        transform_right_filter_column_0_0_choice := transform_right_column_0;
+      else
+        transform_right_filter_column_0_0_choice := transform_right_column_2;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_2;
+      else
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_0;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1;
+      else
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_0 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_1_choice := transform_right_column_1;
+      else
+        transform_right_filter_column_0_1_choice := transform_right_column_3;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_1_choice_2 := transform_right_column_3;
+      else
+        transform_right_filter_column_0_1_choice_2 := transform_right_column_1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_1_choice_3 := (transform_right_column_3 mod 2) = 1;
+      else
+        transform_right_filter_column_0_1_choice_3 := (transform_right_column_1 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_2_choice := transform_right_column_2;
+      else
+        transform_right_filter_column_0_2_choice := transform_right_column_4;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_2_choice_2 := transform_right_column_4;
+      else
+        transform_right_filter_column_0_2_choice_2 := transform_right_column_2;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_2_choice_3 := (transform_right_column_4 mod 2) = 1;
+      else
+        transform_right_filter_column_0_2_choice_3 := (transform_right_column_2 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_3_choice := transform_right_column_3;
+      else
+        transform_right_filter_column_0_3_choice := transform_right_column_5;
+      end if;
+      if transform_columns_row_inside_5 then
+        transform_right_filter_column_0_3_choice_2 := transform_right_column_5;
+      else
+        transform_right_filter_column_0_3_choice_2 := transform_right_column_3;
+      end if;
+      if transform_columns_row_inside_5 then
+        transform_right_filter_column_0_3_choice_3 := (transform_right_column_5 mod 2) = 1;
+      else
+        transform_right_filter_column_0_3_choice_3 := (transform_right_column_3 mod 2) = 1;
+      end if;
       if transform_columns_valid then
         transform_left_filter_column_0_0 <= transform_left_filter_column_0_0_choice +
           (((transform_left_filter_column_0_0_choice_2 / 2) + transform_left_column_1) * 2) +
@@ -834,12 +1038,22 @@ begin
       -- raster
       raster_place_group_is_equal := raster_place_column = 31;
       raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 2);
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_2 := raster_place_group = 3;
-      raster_place_group_choice_2 := 1 when raster_place_next_frame and raster_place_group_is_equal_2 else
-        (raster_place_group + 1) mod 8;
-      raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 4) and
-        raster_place_group_is_equal and transform_filtering_2_valid else raster_place_group;
+      if raster_place_next_frame and raster_place_group_is_equal_2 then
+        raster_place_group_choice_2 := 1;
+      else
+        raster_place_group_choice_2 := (raster_place_group + 1) mod 8;
+      end if;
+      if (raster_place_group /= 4) and raster_place_group_is_equal and transform_filtering_2_valid then
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      else
+        raster_place_group_choice_3 := raster_place_group;
+      end if;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_search_1 <= transform_left_filter_feature_1;
       raster_features_search_2 <= transform_left_filter_feature_2;
@@ -849,42 +1063,68 @@ begin
       raster_features_reference_2 <= transform_right_filter_feature_2;
       raster_features_reference_3 <= transform_right_filter_feature_3 mod 128;
       raster_features_valid <= transform_filtering_2_valid;
-      raster_place_group <= raster_place_group_choice when transform_filtering_2_start_of_frame and
-        transform_filtering_2_valid else raster_place_group_choice_3;
+      if transform_filtering_2_start_of_frame and transform_filtering_2_valid then
+        raster_place_group <= raster_place_group_choice;
+      else
+        raster_place_group <= raster_place_group_choice_3;
+      end if;
       raster_place_next_frame_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_next_frame_choice := transform_filtering_2_start_of_frame when raster_place_next_frame_all else
-        transform_filtering_2_start_of_frame or raster_place_next_frame;
+      if raster_place_next_frame_all then
+        raster_place_next_frame_choice := transform_filtering_2_start_of_frame;
+      else
+        raster_place_next_frame_choice := transform_filtering_2_start_of_frame or raster_place_next_frame;
+      end if;
       if transform_filtering_2_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_2_start_of_frame else
-          (raster_place_column + 1) mod 32;
-        raster_place_next_frame <= raster_place_next_frame_choice when raster_place_group_all else (not
-          raster_place_next_frame_all) and (not transform_filtering_2_start_of_frame) and raster_place_next_frame;
+        if raster_place_group_is_equal or transform_filtering_2_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
+        if raster_place_group_all then
+          raster_place_next_frame <= raster_place_next_frame_choice;
+        else
+          raster_place_next_frame <= (not raster_place_next_frame_all) and (not transform_filtering_2_start_of_frame)
+            and raster_place_next_frame;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 7 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 8;
+        end if;
       end if;
       delay_row_inside_0_is_equal := (raster_place_group / 2) = 1;
-      delay_row_inside_1_choice := not ((raster_place_group / 4) = 1) when (raster_place_group mod 2) = 1 else
-        delay_row_inside_0_is_equal;
+      if (raster_place_group mod 2) = 1 then
+        delay_row_inside_1_choice := not ((raster_place_group / 4) = 1);
+      else
+        delay_row_inside_1_choice := delay_row_inside_0_is_equal;
+      end if;
       delay_ahead_0 <= raster_features_search_0;
       delay_ahead_1 <= raster_features_search_1;
       delay_ahead_2 <= raster_features_search_2;
       delay_ahead_3 <= raster_features_search_3;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= delay_row_inside_0_is_equal when (raster_place_group mod 2) = 1 else ((raster_place_group /
-        4) = 1) /= (((raster_place_group / 2) mod 2) = 1);
       delay_row_inside_1 <= delay_row_inside_1_choice;
-      delay_row_inside_5 <= (raster_place_group / 2) = 0 when (raster_place_group mod 2) = 1 else not
-        ((raster_place_group / 4) = 1);
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
-        (raster_place_column / 8) = 0;
       delay_tag_output_column <= (raster_place_column >= 7) and (raster_place_column < 31) and
         delay_row_inside_1_choice;
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
+      if (raster_place_group mod 2) = 1 then
+        delay_row_inside_0 <= delay_row_inside_0_is_equal;
+        delay_row_inside_5 <= (raster_place_group / 2) = 0;
+      else
+        delay_row_inside_0 <= ((raster_place_group / 4) = 1) /= (((raster_place_group / 2) mod 2) = 1);
+        delay_row_inside_5 <= not ((raster_place_group / 4) = 1);
+      end if;
+      if (raster_place_column mod 4) = 3 then
+        delay_tag_border_column <= (raster_place_column / 4) = 0;
+      else
+        delay_tag_border_column <= (raster_place_column / 8) = 0;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_read_newest_1 <= delay_ahead_1;
@@ -924,18 +1164,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_search_1 <= (rows_search_rows_ready_words_0 / 128) mod 128 when rows_ready_inside_1 else 0;
-      rows_search_2 <= (rows_search_rows_ready_words_0 / 16384) mod 128 when rows_ready_inside_1 else 0;
-      rows_search_3 <= rows_search_rows_ready_words_0 / 2097152 when rows_ready_inside_1 else 0;
-      rows_search_4 <= rows_search_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_search_5 <= rows_search_rows_ready_newest_0 when rows_ready_inside_5 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= (rows_reference_rows_ready_words_0 / 128) mod 128 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= (rows_reference_rows_ready_words_0 / 16384) mod 128 when rows_ready_inside_1 else 0;
-      rows_reference_3 <= rows_reference_rows_ready_words_0 / 2097152 when rows_ready_inside_1 else 0;
-      rows_reference_4 <= rows_reference_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_reference_5 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_5 else 0;
       rows_inside_0 <= rows_ready_inside_0;
       rows_inside_1 <= rows_ready_inside_1;
       rows_inside_5 <= rows_ready_inside_5;
@@ -944,6 +1172,39 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 128;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= (rows_search_rows_ready_words_0 / 128) mod 128;
+        rows_search_2 <= (rows_search_rows_ready_words_0 / 16384) mod 128;
+        rows_search_3 <= rows_search_rows_ready_words_0 / 2097152;
+        rows_search_4 <= rows_search_rows_ready_words_1;
+        rows_reference_1 <= (rows_reference_rows_ready_words_0 / 128) mod 128;
+        rows_reference_2 <= (rows_reference_rows_ready_words_0 / 16384) mod 128;
+        rows_reference_3 <= rows_reference_rows_ready_words_0 / 2097152;
+        rows_reference_4 <= rows_reference_rows_ready_words_1;
+      else
+        rows_search_1 <= 0;
+        rows_search_2 <= 0;
+        rows_search_3 <= 0;
+        rows_search_4 <= 0;
+        rows_reference_1 <= 0;
+        rows_reference_2 <= 0;
+        rows_reference_3 <= 0;
+        rows_reference_4 <= 0;
+      end if;
+      if rows_ready_inside_5 then
+        rows_search_5 <= rows_search_rows_ready_newest_0;
+        rows_reference_5 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_5 <= 0;
+        rows_reference_5 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= to_integer(((((to_unsigned(rows_search_rows_ready_newest_1, 15) &
           to_unsigned(0, 14)) or (to_unsigned(rows_search_rows_ready_newest_2, 8) & to_unsigned(0, 21)))) or
@@ -1124,35 +1385,50 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0) mod 256;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1) mod 256;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2) mod 256;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_3_0) mod 256;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_3_1) mod 256;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_3_2) mod 256;
-      slice0cost_column_2_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_0) +
-        slice0cost_pair_1_0 + slice0cost_single_2_0) mod 256;
-      slice0cost_column_2_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_1) +
-        slice0cost_pair_1_1 + slice0cost_single_2_1) mod 256;
-      slice0cost_column_2_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_2) +
-        slice0cost_pair_1_2 + slice0cost_single_2_2) mod 256;
-      slice0cost_column_3_0 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_0) +
-        slice0cost_pair_1_0 + slice0cost_single_5_0) mod 256;
-      slice0cost_column_3_1 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_1) +
-        slice0cost_pair_1_1 + slice0cost_single_5_1) mod 256;
-      slice0cost_column_3_2 <= 0 when slice0cost_pair_tag_border_column else (as_number(slice0cost_negative_1_2) +
-        slice0cost_pair_1_2 + slice0cost_single_5_2) mod 256;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_1_0 <= 0;
+        slice0cost_column_1_1 <= 0;
+        slice0cost_column_1_2 <= 0;
+        slice0cost_column_2_0 <= 0;
+        slice0cost_column_2_1 <= 0;
+        slice0cost_column_2_2 <= 0;
+        slice0cost_column_3_0 <= 0;
+        slice0cost_column_3_1 <= 0;
+        slice0cost_column_3_2 <= 0;
+      else
+        slice0cost_column_0_0 <= (as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0) mod
+          256;
+        slice0cost_column_0_1 <= (as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1) mod
+          256;
+        slice0cost_column_0_2 <= (as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2) mod
+          256;
+        slice0cost_column_1_0 <= (as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_3_0) mod
+          256;
+        slice0cost_column_1_1 <= (as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_3_1) mod
+          256;
+        slice0cost_column_1_2 <= (as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_3_2) mod
+          256;
+        slice0cost_column_2_0 <= (as_number(slice0cost_negative_1_0) + slice0cost_pair_1_0 + slice0cost_single_2_0) mod
+          256;
+        slice0cost_column_2_1 <= (as_number(slice0cost_negative_1_1) + slice0cost_pair_1_1 + slice0cost_single_2_1) mod
+          256;
+        slice0cost_column_2_2 <= (as_number(slice0cost_negative_1_2) + slice0cost_pair_1_2 + slice0cost_single_2_2) mod
+          256;
+        slice0cost_column_3_0 <= (as_number(slice0cost_negative_1_0) + slice0cost_pair_1_0 + slice0cost_single_5_0) mod
+          256;
+        slice0cost_column_3_1 <= (as_number(slice0cost_negative_1_1) + slice0cost_pair_1_1 + slice0cost_single_5_1) mod
+          256;
+        slice0cost_column_3_2 <= (as_number(slice0cost_negative_1_2) + slice0cost_pair_1_2 + slice0cost_single_5_2) mod
+          256;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -1204,17 +1480,9 @@ begin
       slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
       slice0winner1_best_cost_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
       slice0winner1_best_cost_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
       slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
       slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
-      slice0winner1_best_cost_2_0 <= slice0window_sum_2_1 when slice0winner1_best_cost_2_0_is_less else
-        slice0window_sum_2_0;
       slice0winner1_best_cost_2_1 <= slice0window_sum_2_2;
-      slice0winner1_best_cost_3_0 <= slice0window_sum_3_1 when slice0winner1_best_cost_3_0_is_less else
-        slice0window_sum_3_0;
       slice0winner1_best_cost_3_1 <= slice0window_sum_3_2;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
       slice0winner1_best_index_0_1 <= 2;
@@ -1222,6 +1490,26 @@ begin
       slice0winner1_best_index_2_0 <= slice0winner1_best_cost_2_0_is_less;
       slice0winner1_best_index_3_0 <= slice0winner1_best_cost_3_0_is_less;
       slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+      end if;
+      if slice0winner1_best_cost_1_0_is_less then
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_1;
+      else
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_0;
+      end if;
+      if slice0winner1_best_cost_2_0_is_less then
+        slice0winner1_best_cost_2_0 <= slice0window_sum_2_1;
+      else
+        slice0winner1_best_cost_2_0 <= slice0window_sum_2_0;
+      end if;
+      if slice0winner1_best_cost_3_0_is_less then
+        slice0winner1_best_cost_3_0 <= slice0window_sum_3_1;
+      else
+        slice0winner1_best_cost_3_0 <= slice0window_sum_3_0;
+      end if;
       if slice0winner1_tag_valid then
         slice0winner1_tag_output_column <= slice0window_tag_output_column;
         slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -1232,26 +1520,38 @@ begin
       slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
       slice0winner2_best_cost_2_0_is_less := (slice0winner1_best_cost_2_1 - slice0winner1_best_cost_2_0) < 0;
       slice0winner2_best_cost_3_0_is_less := (slice0winner1_best_cost_3_1 - slice0winner1_best_cost_3_0) < 0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1 when slice0winner2_best_cost_2_0_is_less else
-        slice0winner1_best_cost_2_0;
-      slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1 when slice0winner2_best_cost_3_0_is_less else
-        slice0winner1_best_cost_3_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_2_0_is_less else
-        as_number(slice0winner1_best_index_2_0);
-      slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_3_0_is_less else
-        as_number(slice0winner1_best_index_3_0);
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+      end if;
+      if slice0winner2_best_cost_1_0_is_less then
+        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1;
+        slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+        slice0winner2_best_index_1_0 <= as_number(slice0winner1_best_index_1_0);
+      end if;
+      if slice0winner2_best_cost_2_0_is_less then
+        slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1;
+        slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_0;
+        slice0winner2_best_index_2_0 <= as_number(slice0winner1_best_index_2_0);
+      end if;
+      if slice0winner2_best_cost_3_0_is_less then
+        slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1;
+        slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_0;
+        slice0winner2_best_index_3_0 <= as_number(slice0winner1_best_index_3_0);
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
       slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
@@ -1419,31 +1719,46 @@ begin
       slice1cost_single_5_0 <= (slice1cost_single_5_0_choice + as_number(slice1cost_single_5_0_is_less)) mod 256;
       slice1cost_single_5_1 <= (slice1cost_single_5_1_choice + as_number(slice1cost_single_5_1_is_less)) mod 256;
       slice1cost_single_5_2 <= (slice1cost_single_5_2_choice + as_number(slice1cost_single_5_2_is_less)) mod 256;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0) mod 256;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1) mod 256;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2) mod 256;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_3_0) mod 256;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_3_1) mod 256;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_3_2) mod 256;
-      slice1cost_column_2_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_0) +
-        slice1cost_pair_1_0 + slice1cost_single_2_0) mod 256;
-      slice1cost_column_2_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_1) +
-        slice1cost_pair_1_1 + slice1cost_single_2_1) mod 256;
-      slice1cost_column_2_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_2) +
-        slice1cost_pair_1_2 + slice1cost_single_2_2) mod 256;
-      slice1cost_column_3_0 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_0) +
-        slice1cost_pair_1_0 + slice1cost_single_5_0) mod 256;
-      slice1cost_column_3_1 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_1) +
-        slice1cost_pair_1_1 + slice1cost_single_5_1) mod 256;
-      slice1cost_column_3_2 <= 0 when slice0cost_tag_border_column else (as_number(slice1cost_negative_1_2) +
-        slice1cost_pair_1_2 + slice1cost_single_5_2) mod 256;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_1_0 <= 0;
+        slice1cost_column_1_1 <= 0;
+        slice1cost_column_1_2 <= 0;
+        slice1cost_column_2_0 <= 0;
+        slice1cost_column_2_1 <= 0;
+        slice1cost_column_2_2 <= 0;
+        slice1cost_column_3_0 <= 0;
+        slice1cost_column_3_1 <= 0;
+        slice1cost_column_3_2 <= 0;
+      else
+        slice1cost_column_0_0 <= (as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0) mod
+          256;
+        slice1cost_column_0_1 <= (as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1) mod
+          256;
+        slice1cost_column_0_2 <= (as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2) mod
+          256;
+        slice1cost_column_1_0 <= (as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_3_0) mod
+          256;
+        slice1cost_column_1_1 <= (as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_3_1) mod
+          256;
+        slice1cost_column_1_2 <= (as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_3_2) mod
+          256;
+        slice1cost_column_2_0 <= (as_number(slice1cost_negative_1_0) + slice1cost_pair_1_0 + slice1cost_single_2_0) mod
+          256;
+        slice1cost_column_2_1 <= (as_number(slice1cost_negative_1_1) + slice1cost_pair_1_1 + slice1cost_single_2_1) mod
+          256;
+        slice1cost_column_2_2 <= (as_number(slice1cost_negative_1_2) + slice1cost_pair_1_2 + slice1cost_single_2_2) mod
+          256;
+        slice1cost_column_3_0 <= (as_number(slice1cost_negative_1_0) + slice1cost_pair_1_0 + slice1cost_single_5_0) mod
+          256;
+        slice1cost_column_3_1 <= (as_number(slice1cost_negative_1_1) + slice1cost_pair_1_1 + slice1cost_single_5_1) mod
+          256;
+        slice1cost_column_3_2 <= (as_number(slice1cost_negative_1_2) + slice1cost_pair_1_2 + slice1cost_single_5_2) mod
+          256;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1488,64 +1803,104 @@ begin
       slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
       slice1winner1_best_cost_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
       slice1winner1_best_cost_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
       slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
       slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
-      slice1winner1_best_cost_2_0 <= slice1window_sum_2_1 when slice1winner1_best_cost_2_0_is_less else
-        slice1window_sum_2_0;
       slice1winner1_best_cost_2_1 <= slice1window_sum_2_2;
-      slice1winner1_best_cost_3_0 <= slice1window_sum_3_1 when slice1winner1_best_cost_3_0_is_less else
-        slice1window_sum_3_0;
       slice1winner1_best_cost_3_1 <= slice1window_sum_3_2;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
       slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
       slice1winner1_best_index_2_0 <= slice1winner1_best_cost_2_0_is_less;
       slice1winner1_best_index_3_0 <= slice1winner1_best_cost_3_0_is_less;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+      end if;
+      if slice1winner1_best_cost_1_0_is_less then
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_1;
+      else
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_0;
+      end if;
+      if slice1winner1_best_cost_2_0_is_less then
+        slice1winner1_best_cost_2_0 <= slice1window_sum_2_1;
+      else
+        slice1winner1_best_cost_2_0 <= slice1window_sum_2_0;
+      end if;
+      if slice1winner1_best_cost_3_0_is_less then
+        slice1winner1_best_cost_3_0 <= slice1window_sum_3_1;
+      else
+        slice1winner1_best_cost_3_0 <= slice1window_sum_3_0;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
       slice1winner2_best_cost_2_0_is_less := (slice1winner1_best_cost_2_1 - slice1winner1_best_cost_2_0) < 0;
       slice1winner2_best_cost_3_0_is_less := (slice1winner1_best_cost_3_1 - slice1winner1_best_cost_3_0) < 0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1 when slice1winner2_best_cost_2_0_is_less else
-        slice1winner1_best_cost_2_0;
-      slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1 when slice1winner2_best_cost_3_0_is_less else
-        slice1winner1_best_cost_3_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
-      slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_2_0_is_less else
-        as_number(slice1winner1_best_index_2_0);
-      slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_3_0_is_less else
-        as_number(slice1winner1_best_index_3_0);
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+      end if;
+      if slice1winner2_best_cost_1_0_is_less then
+        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1;
+        slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+        slice1winner2_best_index_1_0 <= as_number(slice1winner1_best_index_1_0);
+      end if;
+      if slice1winner2_best_cost_2_0_is_less then
+        slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1;
+        slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_0;
+        slice1winner2_best_index_2_0 <= as_number(slice1winner1_best_index_2_0);
+      end if;
+      if slice1winner2_best_cost_3_0_is_less then
+        slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1;
+        slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_0;
+        slice1winner2_best_index_3_0 <= as_number(slice1winner1_best_index_3_0);
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
       slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner2_best_cost_1_0) < 0;
       slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner2_best_cost_2_0) < 0;
       slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner2_best_cost_3_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
-      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner2_best_cost_2_0;
-      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner2_best_cost_3_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
-      slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
-      slice1_best_index_2_0 <= slice0_best_index_2_0 when slice1_best_cost_2_0_is_less else
-        (((slice1winner2_best_index_2_0 / 2) + 1) * 2) + (slice1winner2_best_index_2_0 mod 2);
-      slice1_best_index_3_0 <= slice0_best_index_3_0 when slice1_best_cost_3_0_is_less else
-        (((slice1winner2_best_index_3_0 / 2) + 1) * 2) + (slice1winner2_best_index_3_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1_best_index_0_0 <= (((slice1winner2_best_index_0_0 / 2) + 1) * 2) + (slice1winner2_best_index_0_0 mod 2);
+      end if;
+      if slice1_best_cost_1_0_is_less then
+        slice1_best_cost_1_0 <= slice0_best_cost_1_0;
+        slice1_best_index_1_0 <= slice0_best_index_1_0;
+      else
+        slice1_best_cost_1_0 <= slice1winner2_best_cost_1_0;
+        slice1_best_index_1_0 <= (((slice1winner2_best_index_1_0 / 2) + 1) * 2) + (slice1winner2_best_index_1_0 mod 2);
+      end if;
+      if slice1_best_cost_2_0_is_less then
+        slice1_best_cost_2_0 <= slice0_best_cost_2_0;
+        slice1_best_index_2_0 <= slice0_best_index_2_0;
+      else
+        slice1_best_cost_2_0 <= slice1winner2_best_cost_2_0;
+        slice1_best_index_2_0 <= (((slice1winner2_best_index_2_0 / 2) + 1) * 2) + (slice1winner2_best_index_2_0 mod 2);
+      end if;
+      if slice1_best_cost_3_0_is_less then
+        slice1_best_cost_3_0 <= slice0_best_cost_3_0;
+        slice1_best_index_3_0 <= slice0_best_index_3_0;
+      else
+        slice1_best_cost_3_0 <= slice1winner2_best_cost_3_0;
+        slice1_best_index_3_0 <= (((slice1winner2_best_index_3_0 / 2) + 1) * 2) + (slice1winner2_best_index_3_0 mod 2);
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -1648,22 +2003,33 @@ begin
       slice2cost_single_3_1 <= (slice2cost_pair_1_1_choice + as_number(slice2cost_pair_1_1_is_less)) mod 256;
       slice2cost_single_5_0 <= (slice2cost_single_5_0_choice + as_number(slice2cost_single_5_0_is_less)) mod 256;
       slice2cost_single_5_1 <= (slice2cost_single_5_1_choice + as_number(slice2cost_single_5_1_is_less)) mod 256;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_0_0) mod 256;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_0_1) mod 256;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_3_0) mod 256;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_3_1) mod 256;
-      slice2cost_column_2_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_1_0) +
-        slice2cost_pair_1_0 + slice2cost_single_2_0) mod 256;
-      slice2cost_column_2_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_1_1) +
-        slice2cost_pair_1_1 + slice2cost_single_2_1) mod 256;
-      slice2cost_column_3_0 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_1_0) +
-        slice2cost_pair_1_0 + slice2cost_single_5_0) mod 256;
-      slice2cost_column_3_1 <= 0 when slice1cost_tag_border_column else (as_number(slice2cost_negative_1_1) +
-        slice2cost_pair_1_1 + slice2cost_single_5_1) mod 256;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+        slice2cost_column_1_0 <= 0;
+        slice2cost_column_1_1 <= 0;
+        slice2cost_column_2_0 <= 0;
+        slice2cost_column_2_1 <= 0;
+        slice2cost_column_3_0 <= 0;
+        slice2cost_column_3_1 <= 0;
+      else
+        slice2cost_column_0_0 <= (as_number(slice2cost_negative_0_0) + slice2cost_pair_0_0 + slice2cost_single_0_0) mod
+          256;
+        slice2cost_column_0_1 <= (as_number(slice2cost_negative_0_1) + slice2cost_pair_0_1 + slice2cost_single_0_1) mod
+          256;
+        slice2cost_column_1_0 <= (as_number(slice2cost_negative_0_0) + slice2cost_pair_0_0 + slice2cost_single_3_0) mod
+          256;
+        slice2cost_column_1_1 <= (as_number(slice2cost_negative_0_1) + slice2cost_pair_0_1 + slice2cost_single_3_1) mod
+          256;
+        slice2cost_column_2_0 <= (as_number(slice2cost_negative_1_0) + slice2cost_pair_1_0 + slice2cost_single_2_0) mod
+          256;
+        slice2cost_column_2_1 <= (as_number(slice2cost_negative_1_1) + slice2cost_pair_1_1 + slice2cost_single_2_1) mod
+          256;
+        slice2cost_column_3_0 <= (as_number(slice2cost_negative_1_0) + slice2cost_pair_1_0 + slice2cost_single_5_0) mod
+          256;
+        slice2cost_column_3_1 <= (as_number(slice2cost_negative_1_1) + slice2cost_pair_1_1 + slice2cost_single_5_1) mod
+          256;
+      end if;
       -- slice2window
       if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -1696,18 +2062,30 @@ begin
       slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
       slice2winner1_best_cost_2_0_is_less := (slice2window_sum_2_1 - slice2window_sum_2_0) < 0;
       slice2winner1_best_cost_3_0_is_less := (slice2window_sum_3_1 - slice2window_sum_3_0) < 0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
-        slice2window_sum_1_0;
-      slice2winner1_best_cost_2_0 <= slice2window_sum_2_1 when slice2winner1_best_cost_2_0_is_less else
-        slice2window_sum_2_0;
-      slice2winner1_best_cost_3_0 <= slice2window_sum_3_1 when slice2winner1_best_cost_3_0_is_less else
-        slice2window_sum_3_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
       slice2winner1_best_index_2_0 <= slice2winner1_best_cost_2_0_is_less;
       slice2winner1_best_index_3_0 <= slice2winner1_best_cost_3_0_is_less;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
+      if slice2winner1_best_cost_1_0_is_less then
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_1;
+      else
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_0;
+      end if;
+      if slice2winner1_best_cost_2_0_is_less then
+        slice2winner1_best_cost_2_0 <= slice2window_sum_2_1;
+      else
+        slice2winner1_best_cost_2_0 <= slice2window_sum_2_0;
+      end if;
+      if slice2winner1_best_cost_3_0_is_less then
+        slice2winner1_best_cost_3_0 <= slice2window_sum_3_1;
+      else
+        slice2winner1_best_cost_3_0 <= slice2window_sum_3_0;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
@@ -1718,22 +2096,31 @@ begin
       slice2winner2_best_index_2_0 <= slice2winner1_best_index_2_0;
       slice2winner2_best_index_3_0 <= slice2winner1_best_index_3_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0 else
-        as_number(slice2winner2_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner2_best_cost_1_0) < 0 else
-        as_number(slice2winner2_best_index_1_0);
-      slice2_best_index_2_0 <= slice1_best_index_2_0 when (slice1_best_cost_2_0 - slice2winner2_best_cost_2_0) < 0 else
-        as_number(slice2winner2_best_index_2_0);
-      slice2_best_index_3_0 <= slice1_best_index_3_0 when (slice1_best_cost_3_0 - slice2winner2_best_cost_3_0) < 0 else
-        as_number(slice2winner2_best_index_3_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0 then
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      else
+        slice2_best_index_0_0 <= as_number(slice2winner2_best_index_0_0);
+      end if;
+      if (slice1_best_cost_1_0 - slice2winner2_best_cost_1_0) < 0 then
+        slice2_best_index_1_0 <= slice1_best_index_1_0;
+      else
+        slice2_best_index_1_0 <= as_number(slice2winner2_best_index_1_0);
+      end if;
+      if (slice1_best_cost_2_0 - slice2winner2_best_cost_2_0) < 0 then
+        slice2_best_index_2_0 <= slice1_best_index_2_0;
+      else
+        slice2_best_index_2_0 <= as_number(slice2winner2_best_index_2_0);
+      end if;
+      if (slice1_best_cost_3_0 - slice2winner2_best_cost_3_0) < 0 then
+        slice2_best_index_3_0 <= slice1_best_index_3_0;
+      else
+        slice2_best_index_3_0 <= as_number(slice2winner2_best_index_3_0);
+      end if;
       -- texture
-      texture_taps_search_0_0 <= 31 when rows_inside_0 else 0;
-      texture_taps_search_1_0 <= 31 when rows_inside_1 else 0;
-      texture_taps_search_5_0 <= 31 when rows_inside_5 else 0;
       texture_passes_0_0 <= 59 < texturewindow_sum_0_0;
       texture_passes_0_1 <= 59 < texturewindow_sum_1_0;
       texture_passes_0_2 <= 59 < texturewindow_sum_2_0;
@@ -1754,6 +2141,21 @@ begin
       texture_passes_4_1 <= texture_passes_3_1;
       texture_passes_4_2 <= texture_passes_3_2;
       texture_passes_4_3 <= texture_passes_3_3;
+      if rows_inside_0 then
+        texture_taps_search_0_0 <= 31;
+      else
+        texture_taps_search_0_0 <= 0;
+      end if;
+      if rows_inside_1 then
+        texture_taps_search_1_0 <= 31;
+      else
+        texture_taps_search_1_0 <= 0;
+      end if;
+      if rows_inside_5 then
+        texture_taps_search_5_0 <= 31;
+      else
+        texture_taps_search_5_0 <= 0;
+      end if;
       -- texturecost
       texturecost_pair_0_0_is_less := texturecost_difference_2_0 < 0;
       if texturecost_pair_0_0_is_less then
@@ -1795,14 +2197,21 @@ begin
       texturecost_single_2_0 <= (texturecost_pair_0_0_choice + as_number(texturecost_pair_0_0_is_less)) mod 256;
       texturecost_single_3_0 <= (texturecost_pair_1_0_choice + as_number(texturecost_pair_1_0_is_less)) mod 256;
       texturecost_single_5_0 <= (texturecost_single_5_0_choice + as_number(texturecost_single_5_0_is_less)) mod 256;
-      texturecost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else (texturecost_single_0_0 +
-        as_number(texturecost_negative_0_0) + texturecost_pair_0_0) mod 256;
-      texturecost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else (texturecost_single_3_0 +
-        as_number(texturecost_negative_0_0) + texturecost_pair_0_0) mod 256;
-      texturecost_column_2_0 <= 0 when slice0cost_pair_tag_border_column else (texturecost_single_2_0 +
-        as_number(texturecost_negative_1_0) + texturecost_pair_1_0) mod 256;
-      texturecost_column_3_0 <= 0 when slice0cost_pair_tag_border_column else (texturecost_single_5_0 +
-        as_number(texturecost_negative_1_0) + texturecost_pair_1_0) mod 256;
+      if slice0cost_pair_tag_border_column then
+        texturecost_column_0_0 <= 0;
+        texturecost_column_1_0 <= 0;
+        texturecost_column_2_0 <= 0;
+        texturecost_column_3_0 <= 0;
+      else
+        texturecost_column_0_0 <= (texturecost_single_0_0 + as_number(texturecost_negative_0_0) + texturecost_pair_0_0)
+          mod 256;
+        texturecost_column_1_0 <= (texturecost_single_3_0 + as_number(texturecost_negative_0_0) + texturecost_pair_0_0)
+          mod 256;
+        texturecost_column_2_0 <= (texturecost_single_2_0 + as_number(texturecost_negative_1_0) + texturecost_pair_1_0)
+          mod 256;
+        texturecost_column_3_0 <= (texturecost_single_5_0 + as_number(texturecost_negative_1_0) + texturecost_pair_1_0)
+          mod 256;
+      end if;
       -- texturewindow
       if slice0cost_tag_valid then
         texturewindow_partial_0_0_0 <= texturecost_column_0_0;

@@ -272,35 +272,47 @@ architecture rtl of stereo_core_tiny_unique_left_p2 is
   signal refinement_scaled_cost_0, refinement_scaled_cost_1 : natural range 0 to 4602;
   -- other
   signal other_0, other_1, other_2, other_3 : boolean;
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(refinement_disparity_3_1, 8) & to_unsigned(refinement_disparity_3_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(refinement_passed_3_1), 1) & to_unsigned(as_number(refinement_passed_3_0), 1));
   disparity_valid <= as_bit(refinement_tag_3_valid and refinement_tag_3_output_column);
   disparity_start_of_frame <= as_bit(refinement_tag_3_start_of_frame and refinement_tag_3_valid and refinement_tag_3_output_column);
   disparity_end_of_line <= as_bit(refinement_tag_3_end_of_line and refinement_tag_3_valid and refinement_tag_3_output_column);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
@@ -335,27 +347,52 @@ begin
       raster_place_group_is_equal := raster_place_column = 31;
       raster_place_group_is_equal_2 := raster_place_group = 5;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
-      raster_place_group_choice_2 := 1 when raster_place_next_frame and (raster_place_group = 6) else
-        (raster_place_group + 1) mod 8;
-      raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 7) and
-        raster_place_group_is_equal and in_valid else raster_place_group;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 6) then
+        raster_place_group_choice_2 := 1;
+      else
+        raster_place_group_choice_2 := (raster_place_group + 1) mod 8;
+      end if;
+      if (raster_place_group /= 7) and raster_place_group_is_equal and in_valid then
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      else
+        raster_place_group_choice_3 := raster_place_group;
+      end if;
       raster_features_search <= in_right_pixel;
       raster_features_reference_0 <= in_left_pixel mod 256;
       raster_features_reference_1 <= in_left_pixel / 256;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 2 when in_valid and in_start_of_frame else
-        raster_place_group_choice_3;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        (raster_place_group / 2) = 3 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
-        raster_place_next_frame;
+      if in_valid and in_start_of_frame then
+        raster_place_group <= raster_place_group_choice * 2;
+      else
+        raster_place_group <= raster_place_group_choice_3;
+      end if;
+      if (raster_place_group / 2) = 3 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 32;
-        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame;
+        if raster_place_group_is_equal or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
+        if raster_place_next_frame_choice_2 then
+          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
+        else
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       -- delay
       delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
@@ -366,15 +403,22 @@ begin
       delay_delayed_0 <= raster_features_search;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_any;
-      delay_row_inside_1 <= delay_row_inside_1_any when (raster_place_group mod 2) = 1 else delay_row_inside_0_any;
       delay_row_inside_3 <= delay_row_inside_1_any;
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
-        (raster_place_column / 8) = 0;
       delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 7) and ((((((raster_place_column /
         8) + 8191) mod 8192) * 8) + (raster_place_column mod 8)) < 24);
       delay_tag_start_of_frame <= (raster_place_column = 8) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_group_is_equal;
+      if (raster_place_group mod 2) = 1 then
+        delay_row_inside_1 <= delay_row_inside_1_any;
+      else
+        delay_row_inside_1 <= delay_row_inside_0_any;
+      end if;
+      if (raster_place_column mod 4) = 3 then
+        delay_tag_border_column <= (raster_place_column / 4) = 0;
+      else
+        delay_tag_border_column <= (raster_place_column / 8) = 0;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0 mod 256;
       rows_search_rows_read_newest_1 <= delay_delayed_0 / 256;
@@ -404,19 +448,36 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_search_1 <= (rows_search_rows_ready_words_0 / 256) mod 256 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_words_0 / 65536 when rows_ready_inside_1 else 0;
-      rows_search_3 <= rows_search_rows_ready_newest_0 when rows_ready_inside_3 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= (rows_reference_rows_ready_words_0 / 256) mod 256 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_words_0 / 65536 when rows_ready_inside_1 else 0;
-      rows_reference_3 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_3 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 256;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= (rows_search_rows_ready_words_0 / 256) mod 256;
+        rows_search_2 <= rows_search_rows_ready_words_0 / 65536;
+        rows_reference_1 <= (rows_reference_rows_ready_words_0 / 256) mod 256;
+        rows_reference_2 <= rows_reference_rows_ready_words_0 / 65536;
+      else
+        rows_search_1 <= 0;
+        rows_search_2 <= 0;
+        rows_reference_1 <= 0;
+        rows_reference_2 <= 0;
+      end if;
+      if rows_ready_inside_3 then
+        rows_search_3 <= rows_search_rows_ready_newest_0;
+        rows_reference_3 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_3 <= 0;
+        rows_reference_3 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 65536) + (rows_search_rows_ready_newest_0 *
           256) + (rows_search_rows_ready_newest_1 * 65536);
@@ -490,23 +551,26 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_1_0 <= 0;
+        slice0cost_column_1_1 <= 0;
+        slice0cost_column_1_2 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
+        slice0cost_column_1_0 <= slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
+        slice0cost_column_1_1 <= slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
+        slice0cost_column_1_2 <= slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -537,42 +601,82 @@ begin
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0winner1
       slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
-      slice0winner1_best_cost_0_0_choice := slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0_choice := slice0window_sum_0_1;
+      else
+        slice0winner1_best_cost_0_0_choice := slice0window_sum_0_0;
+      end if;
       slice0winner1_best_cost_0_0_is_less_2 := (slice0window_sum_0_2 - slice0winner1_best_cost_0_0_choice) < 0;
       slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
-      slice0winner1_best_cost_1_0_choice := slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
+      if slice0winner1_best_cost_1_0_is_less then
+        slice0winner1_best_cost_1_0_choice := slice0window_sum_1_1;
+      else
+        slice0winner1_best_cost_1_0_choice := slice0window_sum_1_0;
+      end if;
       slice0winner1_best_cost_1_0_is_less_2 := (slice0window_sum_1_2 - slice0winner1_best_cost_1_0_choice) < 0;
-      slice0winner1_best_second_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 = 0 else 4095;
-      slice0winner1_best_second_0_0_choice_2 := slice0winner1_held_0_0 when other_1 else 4095;
-      slice0winner1_best_second_1_0_choice := slice0winner1_held_1_2 when slice0winner1_best_index_1_0 = 0 else 4095;
-      slice0winner1_best_second_1_0_choice_2 := slice0winner1_held_1_0 when other_3 else 4095;
+      if slice0winner1_best_index_0_0 = 0 then
+        slice0winner1_best_second_0_0_choice := slice0winner1_held_0_2;
+      else
+        slice0winner1_best_second_0_0_choice := 4095;
+      end if;
+      if other_1 then
+        slice0winner1_best_second_0_0_choice_2 := slice0winner1_held_0_0;
+      else
+        slice0winner1_best_second_0_0_choice_2 := 4095;
+      end if;
+      if slice0winner1_best_index_1_0 = 0 then
+        slice0winner1_best_second_1_0_choice := slice0winner1_held_1_2;
+      else
+        slice0winner1_best_second_1_0_choice := 4095;
+      end if;
+      if other_3 then
+        slice0winner1_best_second_1_0_choice_2 := slice0winner1_held_1_0;
+      else
+        slice0winner1_best_second_1_0_choice_2 := 4095;
+      end if;
       slice0winner1_held_0_0 <= slice0window_sum_0_0;
       slice0winner1_held_0_1 <= slice0window_sum_0_1;
       slice0winner1_held_0_2 <= slice0window_sum_0_2;
       slice0winner1_held_1_0 <= slice0window_sum_1_0;
       slice0winner1_held_1_1 <= slice0window_sum_1_1;
       slice0winner1_held_1_2 <= slice0window_sum_1_2;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_2 when slice0winner1_best_cost_0_0_is_less_2 else
-        slice0winner1_best_cost_0_0_choice;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_2 when slice0winner1_best_cost_1_0_is_less_2 else
-        slice0winner1_best_cost_1_0_choice;
-      slice0winner1_best_index_0_0 <= 2 when slice0winner1_best_cost_0_0_is_less_2 else
-        as_number(slice0winner1_best_cost_0_0_is_less);
-      slice0winner1_best_index_1_0 <= 2 when slice0winner1_best_cost_1_0_is_less_2 else
-        as_number(slice0winner1_best_cost_1_0_is_less);
       slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
       slice0winner1_best_late_cost_1_0 <= slice0winner1_best_cost_1_0;
-      slice0winner1_best_second_0_0 <= slice0winner1_best_second_0_0_choice when (slice0winner1_best_second_0_0_choice
-        - slice0winner1_best_second_0_0_choice_2) < 0 else slice0winner1_best_second_0_0_choice_2;
-      slice0winner1_best_second_1_0 <= slice0winner1_best_second_1_0_choice when (slice0winner1_best_second_1_0_choice
-        - slice0winner1_best_second_1_0_choice_2) < 0 else slice0winner1_best_second_1_0_choice_2;
-      slice0winner1_best_but_last_0_0 <= slice0winner1_held_0_1 when (slice0winner1_held_0_1 - slice0winner1_held_0_0)
-        < 0 else slice0winner1_held_0_0;
-      slice0winner1_best_but_last_1_0 <= slice0winner1_held_1_1 when (slice0winner1_held_1_1 - slice0winner1_held_1_0)
-        < 0 else slice0winner1_held_1_0;
       slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_best_cost_0_0_is_less_2 then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_2;
+        slice0winner1_best_index_0_0 <= 2;
+      else
+        slice0winner1_best_cost_0_0 <= slice0winner1_best_cost_0_0_choice;
+        slice0winner1_best_index_0_0 <= as_number(slice0winner1_best_cost_0_0_is_less);
+      end if;
+      if slice0winner1_best_cost_1_0_is_less_2 then
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_2;
+        slice0winner1_best_index_1_0 <= 2;
+      else
+        slice0winner1_best_cost_1_0 <= slice0winner1_best_cost_1_0_choice;
+        slice0winner1_best_index_1_0 <= as_number(slice0winner1_best_cost_1_0_is_less);
+      end if;
+      if (slice0winner1_best_second_0_0_choice - slice0winner1_best_second_0_0_choice_2) < 0 then
+        slice0winner1_best_second_0_0 <= slice0winner1_best_second_0_0_choice;
+      else
+        slice0winner1_best_second_0_0 <= slice0winner1_best_second_0_0_choice_2;
+      end if;
+      if (slice0winner1_best_second_1_0_choice - slice0winner1_best_second_1_0_choice_2) < 0 then
+        slice0winner1_best_second_1_0 <= slice0winner1_best_second_1_0_choice;
+      else
+        slice0winner1_best_second_1_0 <= slice0winner1_best_second_1_0_choice_2;
+      end if;
+      if (slice0winner1_held_0_1 - slice0winner1_held_0_0) < 0 then
+        slice0winner1_best_but_last_0_0 <= slice0winner1_held_0_1;
+      else
+        slice0winner1_best_but_last_0_0 <= slice0winner1_held_0_0;
+      end if;
+      if (slice0winner1_held_1_1 - slice0winner1_held_1_0) < 0 then
+        slice0winner1_best_but_last_1_0 <= slice0winner1_held_1_1;
+      else
+        slice0winner1_best_but_last_1_0 <= slice0winner1_held_1_0;
+      end if;
       if slice0winner1_tag_valid then
         slice0winner1_tag_output_column <= slice0window_tag_output_column;
         slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -642,19 +746,22 @@ begin
       slice1cost_single_3_0 <= (folded(slice1cost_difference_3_0) + as_number((slice1cost_difference_3_0 < 0))) mod 256;
       slice1cost_single_3_1 <= (folded(slice1cost_difference_3_1) + as_number((slice1cost_difference_3_1 < 0))) mod 256;
       slice1cost_single_3_2 <= (folded(slice1cost_difference_3_2) + as_number((slice1cost_difference_3_2 < 0))) mod 256;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
-        as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
-        as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
-        as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
-        as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
-        as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
-        as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_1_0 <= 0;
+        slice1cost_column_1_1 <= 0;
+        slice1cost_column_1_2 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
+        slice1cost_column_1_0 <= slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
+        slice1cost_column_1_1 <= slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
+        slice1cost_column_1_2 <= slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -678,76 +785,136 @@ begin
       slice1window_sum_1_2 <= slice1cost_column_1_2 + slice1window_partial_1_1_2;
       -- slice1winner1
       slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
-      slice1winner1_best_cost_0_0_choice := slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0_choice := slice1window_sum_0_1;
+      else
+        slice1winner1_best_cost_0_0_choice := slice1window_sum_0_0;
+      end if;
       slice1winner1_best_cost_0_0_is_less_2 := (slice1window_sum_0_2 - slice1winner1_best_cost_0_0_choice) < 0;
       slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
-      slice1winner1_best_cost_1_0_choice := slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
+      if slice1winner1_best_cost_1_0_is_less then
+        slice1winner1_best_cost_1_0_choice := slice1window_sum_1_1;
+      else
+        slice1winner1_best_cost_1_0_choice := slice1window_sum_1_0;
+      end if;
       slice1winner1_best_cost_1_0_is_less_2 := (slice1window_sum_1_2 - slice1winner1_best_cost_1_0_choice) < 0;
       slice1winner1_best_second_0_0_is_equal := slice1winner1_best_index_0_0 = 0;
-      slice1winner1_best_second_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_second_0_0_is_equal else
-        4095;
-      slice1winner1_best_second_0_0_choice_2 := slice1winner1_held_0_0 when other_0 else 4095;
+      if slice1winner1_best_second_0_0_is_equal then
+        slice1winner1_best_second_0_0_choice := slice1winner1_held_0_2;
+      else
+        slice1winner1_best_second_0_0_choice := 4095;
+      end if;
+      if other_0 then
+        slice1winner1_best_second_0_0_choice_2 := slice1winner1_held_0_0;
+      else
+        slice1winner1_best_second_0_0_choice_2 := 4095;
+      end if;
       slice1winner1_best_second_1_0_is_equal := slice1winner1_best_index_1_0 = 0;
-      slice1winner1_best_second_1_0_choice := slice1winner1_held_1_2 when slice1winner1_best_second_1_0_is_equal else
-        4095;
-      slice1winner1_best_second_1_0_choice_2 := slice1winner1_held_1_0 when other_2 else 4095;
+      if slice1winner1_best_second_1_0_is_equal then
+        slice1winner1_best_second_1_0_choice := slice1winner1_held_1_2;
+      else
+        slice1winner1_best_second_1_0_choice := 4095;
+      end if;
+      if other_2 then
+        slice1winner1_best_second_1_0_choice_2 := slice1winner1_held_1_0;
+      else
+        slice1winner1_best_second_1_0_choice_2 := 4095;
+      end if;
       slice1winner1_held_0_0 <= slice1window_sum_0_0;
       slice1winner1_held_0_1 <= slice1window_sum_0_1;
       slice1winner1_held_0_2 <= slice1window_sum_0_2;
       slice1winner1_held_1_0 <= slice1window_sum_1_0;
       slice1winner1_held_1_1 <= slice1window_sum_1_1;
       slice1winner1_held_1_2 <= slice1window_sum_1_2;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_2 when slice1winner1_best_cost_0_0_is_less_2 else
-        slice1winner1_best_cost_0_0_choice;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_2 when slice1winner1_best_cost_1_0_is_less_2 else
-        slice1winner1_best_cost_1_0_choice;
-      slice1winner1_best_index_0_0 <= 2 when slice1winner1_best_cost_0_0_is_less_2 else
-        as_number(slice1winner1_best_cost_0_0_is_less);
-      slice1winner1_best_index_1_0 <= 2 when slice1winner1_best_cost_1_0_is_less_2 else
-        as_number(slice1winner1_best_cost_1_0_is_less);
       slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
       slice1winner1_best_late_cost_1_0 <= slice1winner1_best_cost_1_0;
-      slice1winner1_best_second_0_0 <= slice1winner1_best_second_0_0_choice when (slice1winner1_best_second_0_0_choice
-        - slice1winner1_best_second_0_0_choice_2) < 0 else slice1winner1_best_second_0_0_choice_2;
-      slice1winner1_best_second_1_0 <= slice1winner1_best_second_1_0_choice when (slice1winner1_best_second_1_0_choice
-        - slice1winner1_best_second_1_0_choice_2) < 0 else slice1winner1_best_second_1_0_choice_2;
-      slice1winner1_best_but_first_0_0 <= slice1winner1_held_0_2 when (slice1winner1_held_0_2 - slice1winner1_held_0_1)
-        < 0 else slice1winner1_held_0_1;
-      slice1winner1_best_but_first_1_0 <= slice1winner1_held_1_2 when (slice1winner1_held_1_2 - slice1winner1_held_1_1)
-        < 0 else slice1winner1_held_1_1;
-      slice1winner1_best_but_last_0_0 <= slice1winner1_held_0_1 when (slice1winner1_held_0_1 - slice1winner1_held_0_0)
-        < 0 else slice1winner1_held_0_0;
-      slice1winner1_best_but_last_1_0 <= slice1winner1_held_1_1 when (slice1winner1_held_1_1 - slice1winner1_held_1_0)
-        < 0 else slice1winner1_held_1_0;
+      if slice1winner1_best_cost_0_0_is_less_2 then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_2;
+        slice1winner1_best_index_0_0 <= 2;
+      else
+        slice1winner1_best_cost_0_0 <= slice1winner1_best_cost_0_0_choice;
+        slice1winner1_best_index_0_0 <= as_number(slice1winner1_best_cost_0_0_is_less);
+      end if;
+      if slice1winner1_best_cost_1_0_is_less_2 then
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_2;
+        slice1winner1_best_index_1_0 <= 2;
+      else
+        slice1winner1_best_cost_1_0 <= slice1winner1_best_cost_1_0_choice;
+        slice1winner1_best_index_1_0 <= as_number(slice1winner1_best_cost_1_0_is_less);
+      end if;
+      if (slice1winner1_best_second_0_0_choice - slice1winner1_best_second_0_0_choice_2) < 0 then
+        slice1winner1_best_second_0_0 <= slice1winner1_best_second_0_0_choice;
+      else
+        slice1winner1_best_second_0_0 <= slice1winner1_best_second_0_0_choice_2;
+      end if;
+      if (slice1winner1_best_second_1_0_choice - slice1winner1_best_second_1_0_choice_2) < 0 then
+        slice1winner1_best_second_1_0 <= slice1winner1_best_second_1_0_choice;
+      else
+        slice1winner1_best_second_1_0 <= slice1winner1_best_second_1_0_choice_2;
+      end if;
+      if (slice1winner1_held_0_2 - slice1winner1_held_0_1) < 0 then
+        slice1winner1_best_but_first_0_0 <= slice1winner1_held_0_2;
+      else
+        slice1winner1_best_but_first_0_0 <= slice1winner1_held_0_1;
+      end if;
+      if (slice1winner1_held_1_2 - slice1winner1_held_1_1) < 0 then
+        slice1winner1_best_but_first_1_0 <= slice1winner1_held_1_2;
+      else
+        slice1winner1_best_but_first_1_0 <= slice1winner1_held_1_1;
+      end if;
+      if (slice1winner1_held_0_1 - slice1winner1_held_0_0) < 0 then
+        slice1winner1_best_but_last_0_0 <= slice1winner1_held_0_1;
+      else
+        slice1winner1_best_but_last_0_0 <= slice1winner1_held_0_0;
+      end if;
+      if (slice1winner1_held_1_1 - slice1winner1_held_1_0) < 0 then
+        slice1winner1_best_but_last_1_0 <= slice1winner1_held_1_1;
+      else
+        slice1winner1_best_but_last_1_0 <= slice1winner1_held_1_0;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice1winner1_best_cost_0_0 - slice0winner1_best_late_cost_0_0) < 0;
       slice1_best_cost_1_0_is_less := (slice1winner1_best_cost_1_0 - slice0winner1_best_late_cost_1_0) < 0;
-      slice1_best_second_0_0_choice := slice1winner1_best_second_0_0 when slice1_best_place_0_0 else
-        slice1winner1_best_late_cost_0_0;
-      slice1_best_second_0_0_choice_2 := slice1winner1_best_but_first_0_0 when slice1_best_at_end_0_0 else
-        slice1_best_second_0_0_choice;
-      slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0 when slice1_best_place_0_0 else
-        slice0_best_second_0_0;
-      slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0 when slice1_best_at_start_0_0 else
-        slice1_best_second_0_0_choice_3;
-      slice1_best_second_1_0_choice := slice1winner1_best_second_1_0 when slice1_best_place_1_0 else
-        slice1winner1_best_late_cost_1_0;
-      slice1_best_second_1_0_choice_2 := slice1winner1_best_but_first_1_0 when slice1_best_at_end_1_0 else
-        slice1_best_second_1_0_choice;
-      slice1_best_second_1_0_choice_3 := slice0_best_late_cost_1_0 when slice1_best_place_1_0 else
-        slice0_best_second_1_0;
-      slice1_best_second_1_0_choice_4 := slice0_best_but_last_1_0 when slice1_best_at_start_1_0 else
-        slice1_best_second_1_0_choice_3;
-      slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0 when slice1_best_cost_0_0_is_less else
-        slice0winner1_best_late_cost_0_0;
-      slice1_best_cost_1_0 <= slice1winner1_best_cost_1_0 when slice1_best_cost_1_0_is_less else
-        slice0winner1_best_late_cost_1_0;
-      slice1_best_index_0_0 <= slice1winner1_best_index_0_0 + 3 when slice1_best_cost_0_0_is_less else
-        slice0_best_index_0_0;
-      slice1_best_index_1_0 <= slice1winner1_best_index_1_0 + 3 when slice1_best_cost_1_0_is_less else
-        slice0_best_index_1_0;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice := slice1winner1_best_second_0_0;
+      else
+        slice1_best_second_0_0_choice := slice1winner1_best_late_cost_0_0;
+      end if;
+      if slice1_best_at_end_0_0 then
+        slice1_best_second_0_0_choice_2 := slice1winner1_best_but_first_0_0;
+      else
+        slice1_best_second_0_0_choice_2 := slice1_best_second_0_0_choice;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0;
+      else
+        slice1_best_second_0_0_choice_3 := slice0_best_second_0_0;
+      end if;
+      if slice1_best_at_start_0_0 then
+        slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0;
+      else
+        slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3;
+      end if;
+      if slice1_best_place_1_0 then
+        slice1_best_second_1_0_choice := slice1winner1_best_second_1_0;
+      else
+        slice1_best_second_1_0_choice := slice1winner1_best_late_cost_1_0;
+      end if;
+      if slice1_best_at_end_1_0 then
+        slice1_best_second_1_0_choice_2 := slice1winner1_best_but_first_1_0;
+      else
+        slice1_best_second_1_0_choice_2 := slice1_best_second_1_0_choice;
+      end if;
+      if slice1_best_place_1_0 then
+        slice1_best_second_1_0_choice_3 := slice0_best_late_cost_1_0;
+      else
+        slice1_best_second_1_0_choice_3 := slice0_best_second_1_0;
+      end if;
+      if slice1_best_at_start_1_0 then
+        slice1_best_second_1_0_choice_4 := slice0_best_but_last_1_0;
+      else
+        slice1_best_second_1_0_choice_4 := slice1_best_second_1_0_choice_3;
+      end if;
       slice1_best_place_0_0 <= slice1_best_cost_0_0_is_less;
       slice1_best_place_1_0 <= slice1_best_cost_1_0_is_less;
       slice1_best_at_start_0_0 <= slice1_best_cost_0_0_is_less and slice1winner1_best_second_0_0_is_equal;
@@ -758,18 +925,44 @@ begin
         (slice0_best_index_1_0 = 2);
       slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
       slice1_best_late_cost_1_0 <= slice1_best_cost_1_0;
-      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
-        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
-      slice1_best_second_1_0 <= slice1_best_second_1_0_choice_2 when (slice1_best_second_1_0_choice_2 -
-        slice1_best_second_1_0_choice_4) < 0 else slice1_best_second_1_0_choice_4;
-      slice1_best_but_last_0_0 <= slice1winner1_best_but_last_0_0 when (slice1winner1_best_but_last_0_0 -
-        slice0_best_late_cost_0_0) < 0 else slice0_best_late_cost_0_0;
-      slice1_best_but_last_1_0 <= slice1winner1_best_but_last_1_0 when (slice1winner1_best_but_last_1_0 -
-        slice0_best_late_cost_1_0) < 0 else slice0_best_late_cost_1_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1_best_index_0_0 <= slice1winner1_best_index_0_0 + 3;
+      else
+        slice1_best_cost_0_0 <= slice0winner1_best_late_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      end if;
+      if slice1_best_cost_1_0_is_less then
+        slice1_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+        slice1_best_index_1_0 <= slice1winner1_best_index_1_0 + 3;
+      else
+        slice1_best_cost_1_0 <= slice0winner1_best_late_cost_1_0;
+        slice1_best_index_1_0 <= slice0_best_index_1_0;
+      end if;
+      if (slice1_best_second_0_0_choice_2 - slice1_best_second_0_0_choice_4) < 0 then
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2;
+      else
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_4;
+      end if;
+      if (slice1_best_second_1_0_choice_2 - slice1_best_second_1_0_choice_4) < 0 then
+        slice1_best_second_1_0 <= slice1_best_second_1_0_choice_2;
+      else
+        slice1_best_second_1_0 <= slice1_best_second_1_0_choice_4;
+      end if;
+      if (slice1winner1_best_but_last_0_0 - slice0_best_late_cost_0_0) < 0 then
+        slice1_best_but_last_0_0 <= slice1winner1_best_but_last_0_0;
+      else
+        slice1_best_but_last_0_0 <= slice0_best_late_cost_0_0;
+      end if;
+      if (slice1winner1_best_but_last_1_0 - slice0_best_late_cost_1_0) < 0 then
+        slice1_best_but_last_1_0 <= slice1winner1_best_but_last_1_0;
+      else
+        slice1_best_but_last_1_0 <= slice0_best_late_cost_1_0;
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice1shift_search_out_0;
@@ -804,14 +997,17 @@ begin
       slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
       slice2cost_single_3_0 <= (folded(slice2cost_difference_3_0) + as_number((slice2cost_difference_3_0 < 0))) mod 256;
       slice2cost_single_3_1 <= (folded(slice2cost_difference_3_1) + as_number((slice2cost_difference_3_1 < 0))) mod 256;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
-        as_number(slice2cost_negative_0_0) + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
-        as_number(slice2cost_negative_0_1) + slice2cost_single_0_1;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
-        as_number(slice2cost_negative_0_0) + slice2cost_single_3_0;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
-        as_number(slice2cost_negative_0_1) + slice2cost_single_3_1;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+        slice2cost_column_1_0 <= 0;
+        slice2cost_column_1_1 <= 0;
+      else
+        slice2cost_column_0_0 <= slice2cost_pair_0_0 + as_number(slice2cost_negative_0_0) + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= slice2cost_pair_0_1 + as_number(slice2cost_negative_0_1) + slice2cost_single_0_1;
+        slice2cost_column_1_0 <= slice2cost_pair_0_0 + as_number(slice2cost_negative_0_0) + slice2cost_single_3_0;
+        slice2cost_column_1_1 <= slice2cost_pair_0_1 + as_number(slice2cost_negative_0_1) + slice2cost_single_3_1;
+      end if;
       -- slice2window
       if slice0winner1_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -832,39 +1028,65 @@ begin
       slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
       slice2winner1_held_0_1 <= slice2window_sum_0_1;
       slice2winner1_held_1_1 <= slice2window_sum_1_1;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
-        slice2window_sum_1_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
       slice2winner1_best_late_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner1_best_late_cost_1_0 <= slice2winner1_best_cost_1_0;
       slice2winner1_best_but_first_0_0 <= slice2winner1_held_0_1;
       slice2winner1_best_but_first_1_0 <= slice2winner1_held_1_1;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
+      if slice2winner1_best_cost_1_0_is_less then
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_1;
+      else
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_0;
+      end if;
       -- slice2
       slice2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_0 - slice1_best_cost_0_0) < 0;
       slice2_best_cost_1_0_is_less := (slice2winner1_best_cost_1_0 - slice1_best_cost_1_0) < 0;
-      slice2_best_second_0_0_choice := 4095 when slice2_best_place_0_0 else slice2winner1_best_late_cost_0_0;
-      slice2_best_second_0_0_choice_2 := slice2winner1_best_but_first_0_0 when slice2_best_at_end_0_0 else
-        slice2_best_second_0_0_choice;
-      slice2_best_second_0_0_choice_3 := slice1_best_late_cost_0_0 when slice2_best_place_0_0 else
-        slice1_best_second_0_0;
-      slice2_best_second_0_0_choice_4 := slice1_best_but_last_0_0 when slice2_best_at_start_0_0 else
-        slice2_best_second_0_0_choice_3;
-      slice2_best_second_1_0_choice := 4095 when slice2_best_place_1_0 else slice2winner1_best_late_cost_1_0;
-      slice2_best_second_1_0_choice_2 := slice2winner1_best_but_first_1_0 when slice2_best_at_end_1_0 else
-        slice2_best_second_1_0_choice;
-      slice2_best_second_1_0_choice_3 := slice1_best_late_cost_1_0 when slice2_best_place_1_0 else
-        slice1_best_second_1_0;
-      slice2_best_second_1_0_choice_4 := slice1_best_but_last_1_0 when slice2_best_at_start_1_0 else
-        slice2_best_second_1_0_choice_3;
-      slice2_best_cost_0_0 <= slice2winner1_best_cost_0_0 when slice2_best_cost_0_0_is_less else slice1_best_cost_0_0;
-      slice2_best_cost_1_0 <= slice2winner1_best_cost_1_0 when slice2_best_cost_1_0_is_less else slice1_best_cost_1_0;
-      slice2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0) + 6 when slice2_best_cost_0_0_is_less else
-        slice1_best_index_0_0;
-      slice2_best_index_1_0 <= as_number(slice2winner1_best_index_1_0) + 6 when slice2_best_cost_1_0_is_less else
-        slice1_best_index_1_0;
+      if slice2_best_place_0_0 then
+        slice2_best_second_0_0_choice := 4095;
+      else
+        slice2_best_second_0_0_choice := slice2winner1_best_late_cost_0_0;
+      end if;
+      if slice2_best_at_end_0_0 then
+        slice2_best_second_0_0_choice_2 := slice2winner1_best_but_first_0_0;
+      else
+        slice2_best_second_0_0_choice_2 := slice2_best_second_0_0_choice;
+      end if;
+      if slice2_best_place_0_0 then
+        slice2_best_second_0_0_choice_3 := slice1_best_late_cost_0_0;
+      else
+        slice2_best_second_0_0_choice_3 := slice1_best_second_0_0;
+      end if;
+      if slice2_best_at_start_0_0 then
+        slice2_best_second_0_0_choice_4 := slice1_best_but_last_0_0;
+      else
+        slice2_best_second_0_0_choice_4 := slice2_best_second_0_0_choice_3;
+      end if;
+      if slice2_best_place_1_0 then
+        slice2_best_second_1_0_choice := 4095;
+      else
+        slice2_best_second_1_0_choice := slice2winner1_best_late_cost_1_0;
+      end if;
+      if slice2_best_at_end_1_0 then
+        slice2_best_second_1_0_choice_2 := slice2winner1_best_but_first_1_0;
+      else
+        slice2_best_second_1_0_choice_2 := slice2_best_second_1_0_choice;
+      end if;
+      if slice2_best_place_1_0 then
+        slice2_best_second_1_0_choice_3 := slice1_best_late_cost_1_0;
+      else
+        slice2_best_second_1_0_choice_3 := slice1_best_second_1_0;
+      end if;
+      if slice2_best_at_start_1_0 then
+        slice2_best_second_1_0_choice_4 := slice1_best_but_last_1_0;
+      else
+        slice2_best_second_1_0_choice_4 := slice2_best_second_1_0_choice_3;
+      end if;
       slice2_best_place_0_0 <= slice2_best_cost_0_0_is_less;
       slice2_best_place_1_0 <= slice2_best_cost_1_0_is_less;
       slice2_best_at_start_0_0 <= slice2_best_cost_0_0_is_less and (not slice2winner1_best_index_0_0);
@@ -875,14 +1097,34 @@ begin
         = 5);
       slice2_best_late_cost_0_0 <= slice2_best_cost_0_0;
       slice2_best_late_cost_1_0 <= slice2_best_cost_1_0;
-      slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2 when (slice2_best_second_0_0_choice_2 -
-        slice2_best_second_0_0_choice_4) < 0 else slice2_best_second_0_0_choice_4;
-      slice2_best_second_1_0 <= slice2_best_second_1_0_choice_2 when (slice2_best_second_1_0_choice_2 -
-        slice2_best_second_1_0_choice_4) < 0 else slice2_best_second_1_0_choice_4;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if slice2_best_cost_0_0_is_less then
+        slice2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
+        slice2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0) + 6;
+      else
+        slice2_best_cost_0_0 <= slice1_best_cost_0_0;
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      end if;
+      if slice2_best_cost_1_0_is_less then
+        slice2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
+        slice2_best_index_1_0 <= as_number(slice2winner1_best_index_1_0) + 6;
+      else
+        slice2_best_cost_1_0 <= slice1_best_cost_1_0;
+        slice2_best_index_1_0 <= slice1_best_index_1_0;
+      end if;
+      if (slice2_best_second_0_0_choice_2 - slice2_best_second_0_0_choice_4) < 0 then
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_2;
+      else
+        slice2_best_second_0_0 <= slice2_best_second_0_0_choice_4;
+      end if;
+      if (slice2_best_second_1_0_choice_2 - slice2_best_second_1_0_choice_4) < 0 then
+        slice2_best_second_1_0 <= slice2_best_second_1_0_choice_2;
+      else
+        slice2_best_second_1_0 <= slice2_best_second_1_0_choice_4;
+      end if;
       -- refinement
       refinement_disparity_0_0 <= slice2_best_index_0_0;
       refinement_disparity_0_1 <= slice2_best_index_1_0;
@@ -895,10 +1137,6 @@ begin
       refinement_passed_0_0 <= true;
       refinement_passed_1_0 <= refinement_passed_0_0;
       refinement_passed_2_0 <= refinement_passed_1_0;
-      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_1 else refinement_passed_2_0 and
-        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
-      refinement_passed_3_1 <= refinement_passed_2_0 when refinement_alone_1_0 else ((refinement_scaled_cost_1 -
-        refinement_scaled_gap_1) < 0) and refinement_passed_2_0;
       refinement_tag_0_valid <= slice2_best_tag_valid;
       refinement_tag_0_output_column <= slice2_best_tag_output_column;
       refinement_tag_0_start_of_frame <= slice2_best_tag_start_of_frame;
@@ -927,6 +1165,16 @@ begin
       refinement_scaled_gap_1 <= ((refinement_gap_1 + (refinement_gap_1 / 4)) * 4) + (refinement_gap_1 mod 4);
       refinement_scaled_cost_0 <= refinement_lowest_0 * 2;
       refinement_scaled_cost_1 <= refinement_lowest_1 * 2;
+      if refinement_alone_1_1 then
+        refinement_passed_3_0 <= refinement_passed_2_0;
+      else
+        refinement_passed_3_0 <= refinement_passed_2_0 and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      end if;
+      if refinement_alone_1_0 then
+        refinement_passed_3_1 <= refinement_passed_2_0;
+      else
+        refinement_passed_3_1 <= ((refinement_scaled_cost_1 - refinement_scaled_gap_1) < 0) and refinement_passed_2_0;
+      end if;
       -- other
       other_0 <= slice1winner1_best_cost_0_0_is_less_2;
       other_1 <= slice0winner1_best_cost_0_0_is_less_2;

@@ -428,36 +428,129 @@ architecture rtl of stereo_core_tiny_w10_recursive_p4 is
   signal slice2_best_tag_end_of_line : boolean;
   -- other
   signal other_0, other_1 : natural range 0 to 65535;
+  signal slice2window_leaving_5_memory_read_enable : boolean;
+  signal slice2window_leaving_5_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_5_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_4_memory_read_enable : boolean;
+  signal slice2window_leaving_4_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_4_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_3_memory_read_enable : boolean;
+  signal slice2window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_3_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_2_memory_read_enable : boolean;
+  signal slice2window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_1_memory_read_enable : boolean;
+  signal slice2window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_0_memory_read_enable : boolean;
+  signal slice2window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_1_memory_read_enable : boolean;
+  signal slice2cost_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal slice2cost_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal slice2cost_read_words_1_memory_write_data : unsigned(11 downto 0);
+  signal slice2cost_read_words_0_memory_read_enable : boolean;
+  signal slice2cost_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice2cost_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice2cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_5_memory_read_enable : boolean;
+  signal slice1window_leaving_5_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_5_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_4_memory_read_enable : boolean;
+  signal slice1window_leaving_4_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_4_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_3_memory_read_enable : boolean;
+  signal slice1window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_3_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_2_memory_read_enable : boolean;
+  signal slice1window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_1_memory_read_enable : boolean;
+  signal slice1window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_0_memory_read_enable : boolean;
+  signal slice1window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_1_memory_read_enable : boolean;
+  signal slice1cost_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal slice1cost_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal slice1cost_read_words_1_memory_write_data : unsigned(11 downto 0);
+  signal slice1cost_read_words_0_memory_read_enable : boolean;
+  signal slice1cost_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice1cost_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice1cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_5_memory_read_enable : boolean;
+  signal slice0window_leaving_5_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_5_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_5_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_4_memory_read_enable : boolean;
+  signal slice0window_leaving_4_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_4_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_4_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_3_memory_read_enable : boolean;
+  signal slice0window_leaving_3_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_3_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_3_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_2_memory_read_enable : boolean;
+  signal slice0window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_1_memory_read_enable : boolean;
+  signal slice0window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_0_memory_read_enable : boolean;
+  signal slice0window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_1_memory_read_enable : boolean;
+  signal slice0cost_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal slice0cost_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal slice0cost_read_words_1_memory_write_data : unsigned(11 downto 0);
+  signal slice0cost_read_words_0_memory_read_enable : boolean;
+  signal slice0cost_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice0cost_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_2_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_2_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_2_memory_write_data : unsigned(15 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_2_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_2_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_2_memory_write_data : unsigned(15 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(3 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(3 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(31 downto 0);
 
 begin
@@ -471,253 +564,346 @@ begin
   disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
 
+  slice2window_leaving_5_memory_read_enable <= true;
+  slice2window_leaving_5_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_5_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_5_memory_write_data <= to_unsigned(slice2cost_column_3_2, 12) & to_unsigned(slice2cost_column_3_1, 12);
   slice2window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_5,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_5_memory_read_enable,
+      read_address => slice2window_leaving_5_memory_read_address, read_data => slice2window_leaving_5,
+      write_address => slice2window_leaving_5_memory_write_address, write_data => slice2window_leaving_5_memory_write_data);
 
+  slice2window_leaving_4_memory_read_enable <= true;
+  slice2window_leaving_4_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_4_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_4_memory_write_data <= to_unsigned(slice2cost_column_3_0, 12) & to_unsigned(slice2cost_column_2_2, 12);
   slice2window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_4,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_4_memory_read_enable,
+      read_address => slice2window_leaving_4_memory_read_address, read_data => slice2window_leaving_4,
+      write_address => slice2window_leaving_4_memory_write_address, write_data => slice2window_leaving_4_memory_write_data);
 
+  slice2window_leaving_3_memory_read_enable <= true;
+  slice2window_leaving_3_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_3_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_3_memory_write_data <= to_unsigned(slice2cost_column_2_1, 12) & to_unsigned(slice2cost_column_2_0, 12);
   slice2window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_3,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_3_memory_read_enable,
+      read_address => slice2window_leaving_3_memory_read_address, read_data => slice2window_leaving_3,
+      write_address => slice2window_leaving_3_memory_write_address, write_data => slice2window_leaving_3_memory_write_data);
 
+  slice2window_leaving_2_memory_read_enable <= true;
+  slice2window_leaving_2_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_2_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_2_memory_write_data <= to_unsigned(slice2cost_column_1_2, 12) & to_unsigned(slice2cost_column_1_1, 12);
   slice2window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_2,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_2_memory_read_enable,
+      read_address => slice2window_leaving_2_memory_read_address, read_data => slice2window_leaving_2,
+      write_address => slice2window_leaving_2_memory_write_address, write_data => slice2window_leaving_2_memory_write_data);
 
+  slice2window_leaving_1_memory_read_enable <= true;
+  slice2window_leaving_1_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_1_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_1_memory_write_data <= to_unsigned(slice2cost_column_1_0, 12) & to_unsigned(slice2cost_column_0_2, 12);
   slice2window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_1,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_1_memory_read_enable,
+      read_address => slice2window_leaving_1_memory_read_address, read_data => slice2window_leaving_1,
+      write_address => slice2window_leaving_1_memory_write_address, write_data => slice2window_leaving_1_memory_write_data);
 
+  slice2window_leaving_0_memory_read_enable <= true;
+  slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0_1, 12) & to_unsigned(slice2cost_column_0_0, 12);
   slice2window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_0,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
+      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving_0,
+      write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
 
+  slice2cost_read_words_1_memory_read_enable <= true;
+  slice2cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_ready_column, 5);
+  slice2cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_write_column, 5);
   slice2cost_read_words_1_memory_write_data <= to_unsigned(slice2cost_write_words_1, 12);
   slice2cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 12)
+    generic map (depth => 32, width => 12, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_1,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_1_memory_read_enable,
+      read_address => slice2cost_read_words_1_memory_read_address, read_data => slice2cost_read_words_1,
+      write_address => slice2cost_read_words_1_memory_write_address, write_data => slice2cost_read_words_1_memory_write_data);
 
+  slice2cost_read_words_0_memory_read_enable <= true;
+  slice2cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_ready_column, 5);
+  slice2cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_write_column, 5);
   slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words_0, 24);
   slice2cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_0,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
+      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words_0,
+      write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
 
+  slice1window_leaving_5_memory_read_enable <= true;
+  slice1window_leaving_5_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_5_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_5_memory_write_data <= to_unsigned(slice1cost_column_3_2, 12) & to_unsigned(slice1cost_column_3_1, 12);
   slice1window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_5,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_5_memory_read_enable,
+      read_address => slice1window_leaving_5_memory_read_address, read_data => slice1window_leaving_5,
+      write_address => slice1window_leaving_5_memory_write_address, write_data => slice1window_leaving_5_memory_write_data);
 
+  slice1window_leaving_4_memory_read_enable <= true;
+  slice1window_leaving_4_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_4_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_4_memory_write_data <= to_unsigned(slice1cost_column_3_0, 12) & to_unsigned(slice1cost_column_2_2, 12);
   slice1window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_4,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_4_memory_read_enable,
+      read_address => slice1window_leaving_4_memory_read_address, read_data => slice1window_leaving_4,
+      write_address => slice1window_leaving_4_memory_write_address, write_data => slice1window_leaving_4_memory_write_data);
 
+  slice1window_leaving_3_memory_read_enable <= true;
+  slice1window_leaving_3_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_3_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_3_memory_write_data <= to_unsigned(slice1cost_column_2_1, 12) & to_unsigned(slice1cost_column_2_0, 12);
   slice1window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_3,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_3_memory_read_enable,
+      read_address => slice1window_leaving_3_memory_read_address, read_data => slice1window_leaving_3,
+      write_address => slice1window_leaving_3_memory_write_address, write_data => slice1window_leaving_3_memory_write_data);
 
+  slice1window_leaving_2_memory_read_enable <= true;
+  slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_1_2, 12) & to_unsigned(slice1cost_column_1_1, 12);
   slice1window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_2,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
+      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving_2,
+      write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
 
+  slice1window_leaving_1_memory_read_enable <= true;
+  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_1_0, 12) & to_unsigned(slice1cost_column_0_2, 12);
   slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_1,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
+      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving_1,
+      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
 
+  slice1window_leaving_0_memory_read_enable <= true;
+  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_1, 12) & to_unsigned(slice1cost_column_0_0, 12);
   slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_0,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
+      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving_0,
+      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
 
+  slice1cost_read_words_1_memory_read_enable <= true;
+  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 5);
+  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_ready_column, 5);
   slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 12);
   slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 12)
+    generic map (depth => 32, width => 12, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
+      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words_1,
+      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
 
+  slice1cost_read_words_0_memory_read_enable <= true;
+  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 5);
+  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_ready_column, 5);
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 24);
   slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
+      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words_0,
+      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
 
+  slice0window_leaving_5_memory_read_enable <= true;
+  slice0window_leaving_5_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_5_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_5_memory_write_data <= to_unsigned(slice0cost_column_3_2, 12) & to_unsigned(slice0cost_column_3_1, 12);
   slice0window_leaving_5_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_5,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_5_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_5_memory_read_enable,
+      read_address => slice0window_leaving_5_memory_read_address, read_data => slice0window_leaving_5,
+      write_address => slice0window_leaving_5_memory_write_address, write_data => slice0window_leaving_5_memory_write_data);
 
+  slice0window_leaving_4_memory_read_enable <= true;
+  slice0window_leaving_4_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_4_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_4_memory_write_data <= to_unsigned(slice0cost_column_3_0, 12) & to_unsigned(slice0cost_column_2_2, 12);
   slice0window_leaving_4_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_4,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_4_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_4_memory_read_enable,
+      read_address => slice0window_leaving_4_memory_read_address, read_data => slice0window_leaving_4,
+      write_address => slice0window_leaving_4_memory_write_address, write_data => slice0window_leaving_4_memory_write_data);
 
+  slice0window_leaving_3_memory_read_enable <= true;
+  slice0window_leaving_3_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_3_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_3_memory_write_data <= to_unsigned(slice0cost_column_2_1, 12) & to_unsigned(slice0cost_column_2_0, 12);
   slice0window_leaving_3_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_3,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_3_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_3_memory_read_enable,
+      read_address => slice0window_leaving_3_memory_read_address, read_data => slice0window_leaving_3,
+      write_address => slice0window_leaving_3_memory_write_address, write_data => slice0window_leaving_3_memory_write_data);
 
+  slice0window_leaving_2_memory_read_enable <= true;
+  slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_1_2, 12) & to_unsigned(slice0cost_column_1_1, 12);
   slice0window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_2,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
+      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving_2,
+      write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
 
+  slice0window_leaving_1_memory_read_enable <= true;
+  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_1_0, 12) & to_unsigned(slice0cost_column_0_2, 12);
   slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_1,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
+      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving_1,
+      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
 
+  slice0window_leaving_0_memory_read_enable <= true;
+  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_1, 12) & to_unsigned(slice0cost_column_0_0, 12);
   slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 11, width => 24)
+    generic map (depth => 11, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
+      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
+  slice0cost_read_words_1_memory_read_enable <= true;
+  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 5);
+  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_change_column, 5);
   slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 12);
   slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 12)
+    generic map (depth => 32, width => 12, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
+      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words_1,
+      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
 
+  slice0cost_read_words_0_memory_read_enable <= true;
+  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 5);
+  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_change_column, 5);
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 24);
   slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
+      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words_0,
+      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_2_memory_read_enable <= true;
+  rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words_2, 16);
   rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 32, width => 16)
+    generic map (depth => 32, width => 16, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
+      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words_2,
+      write_address => rows_search_rows_read_words_2_memory_write_address, write_data => rows_search_rows_read_words_2_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_1_memory_write_data <= rows_search_rows_write_words_1;
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_2_memory_read_enable <= true;
+  rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words_2, 16);
   rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 32, width => 16)
+    generic map (depth => 32, width => 16, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
+      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words_2,
+      write_address => rows_reference_rows_read_words_2_memory_write_address, write_data => rows_reference_rows_read_words_2_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_1_memory_write_data <= rows_reference_rows_write_words_1;
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 4);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 4);
   delay_delayed_0_memory_write_data <= raster_features_reference;
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 9, width => 32)
+    generic map (depth => 9, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_column_choice, delay_row_inside_0_value, delay_tag_first_cost_is_equal : boolean;
@@ -803,17 +989,32 @@ begin
       raster_features_search_3 <= to_integer(in_left_pixel(31 downto 24));
       raster_features_reference <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= 0 when in_start_of_frame and in_valid else (raster_place_group +
-        as_number(((raster_place_group /= 4) and in_valid and (raster_place_column = 31)))) mod 8;
-      raster_place_column_choice := in_start_of_frame or ((raster_place_column mod 2) = 1) when (raster_place_column /
-        2) = 15 else in_start_of_frame;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= 0;
+      else
+        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 4) and in_valid and
+          (raster_place_column = 31)))) mod 8;
+      end if;
+      if (raster_place_column / 2) = 15 then
+        raster_place_column_choice := in_start_of_frame or ((raster_place_column mod 2) = 1);
+      else
+        raster_place_column_choice := in_start_of_frame;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_column_choice else (raster_place_column + 1) mod 32;
+        if raster_place_column_choice then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 8 else (delay_ring_read_address + 1) mod 16;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 8 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 16;
+        end if;
       end if;
       delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
       delay_tag_first_cost_is_equal := raster_place_column = 8;
@@ -822,10 +1023,6 @@ begin
       delay_ahead_2 <= raster_features_search_2;
       delay_ahead_3 <= raster_features_search_3;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= not delay_row_inside_0_value when (raster_place_group / 4) = 1 else (raster_place_group mod
-        4) = 3;
-      delay_row_inside_2 <= (raster_place_group mod 4) = 0 when (raster_place_group / 4) = 1 else
-        delay_row_inside_0_value;
       delay_row_inside_4 <= (not ((raster_place_group / 4) = 1)) and ((not delay_row_inside_0_value) or (not
         ((raster_place_group mod 2) = 1)));
       delay_tag_valid <= raster_features_valid;
@@ -839,6 +1036,13 @@ begin
         23) and (not ((raster_place_group / 4) = 1)) and (delay_row_inside_0_value or ((raster_place_group mod 2) = 1));
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
+      if (raster_place_group / 4) = 1 then
+        delay_row_inside_0 <= not delay_row_inside_0_value;
+        delay_row_inside_2 <= (raster_place_group mod 4) = 0;
+      else
+        delay_row_inside_0 <= (raster_place_group mod 4) = 3;
+        delay_row_inside_2 <= delay_row_inside_0_value;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_read_newest_1 <= delay_ahead_1;
@@ -886,22 +1090,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8)) when rows_ready_inside_0 else 0;
-      rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16)) when rows_ready_inside_2 else 0;
-      rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24)) when rows_ready_inside_2 else 0;
-      rows_search_4 <= rows_search_rows_ready_newest_0 when rows_ready_inside_4 else 0;
-      rows_search_5 <= rows_search_rows_ready_newest_1 when rows_ready_inside_4 else 0;
-      rows_search_6 <= other_1 mod 256 when rows_ready_inside_4 else 0;
-      rows_search_7 <= rows_search_rows_ready_newest_3 when rows_ready_inside_4 else 0;
-      rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8)) when rows_ready_inside_0 else 0;
-      rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16)) when rows_ready_inside_2 else 0;
-      rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24)) when rows_ready_inside_2 else 0;
-      rows_reference_4 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_4 else 0;
-      rows_reference_5 <= rows_reference_rows_ready_newest_1 when rows_ready_inside_4 else 0;
-      rows_reference_6 <= other_0 mod 256 when rows_ready_inside_4 else 0;
-      rows_reference_7 <= rows_reference_rows_ready_newest_3 when rows_ready_inside_4 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_row_start <= rows_ready_tag_row_start;
       rows_tag_first_group <= rows_ready_tag_first_group;
@@ -911,6 +1099,47 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
+        rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8));
+        rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
+        rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8));
+      else
+        rows_search_0 <= 0;
+        rows_search_1 <= 0;
+        rows_reference_0 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= to_integer(rows_search_rows_ready_words_0(23 downto 16));
+        rows_search_3 <= to_integer(rows_search_rows_ready_words_0(31 downto 24));
+        rows_reference_2 <= to_integer(rows_reference_rows_ready_words_0(23 downto 16));
+        rows_reference_3 <= to_integer(rows_reference_rows_ready_words_0(31 downto 24));
+      else
+        rows_search_2 <= 0;
+        rows_search_3 <= 0;
+        rows_reference_2 <= 0;
+        rows_reference_3 <= 0;
+      end if;
+      if rows_ready_inside_4 then
+        rows_search_4 <= rows_search_rows_ready_newest_0;
+        rows_search_5 <= rows_search_rows_ready_newest_1;
+        rows_search_6 <= other_1 mod 256;
+        rows_search_7 <= rows_search_rows_ready_newest_3;
+        rows_reference_4 <= rows_reference_rows_ready_newest_0;
+        rows_reference_5 <= rows_reference_rows_ready_newest_1;
+        rows_reference_6 <= other_0 mod 256;
+        rows_reference_7 <= rows_reference_rows_ready_newest_3;
+      else
+        rows_search_4 <= 0;
+        rows_search_5 <= 0;
+        rows_search_6 <= 0;
+        rows_search_7 <= 0;
+        rows_reference_4 <= 0;
+        rows_reference_5 <= 0;
+        rows_reference_6 <= 0;
+        rows_reference_7 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= rows_search_rows_ready_words_1;
         rows_search_rows_write_words_1 <= to_unsigned(rows_search_rows_ready_newest_1, 8) &
@@ -990,15 +1219,36 @@ begin
         slice0cost_pixels_cost_2_1;
       slice0cost_change_2_2_difference := ((slice0cost_change_1_2_difference mod 4096) + slice0cost_pixels_cost_6_2) -
         slice0cost_pixels_cost_2_2;
-      slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 mod 4096;
-      slice0cost_column_0_1_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 / 4096;
-      slice0cost_column_0_2_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1;
-      slice0cost_column_3_0_choice := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_0_choice +
-        slice0cost_change_3_0) mod 4096;
-      slice0cost_column_3_1_choice := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_1_choice +
-        slice0cost_change_3_1) mod 4096;
-      slice0cost_column_3_2_choice := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_2_choice +
-        slice0cost_change_3_2) mod 4096;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_0_choice := 0;
+      else
+        slice0cost_column_0_0_choice := slice0cost_ready_words_0 mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_1_choice := 0;
+      else
+        slice0cost_column_0_1_choice := slice0cost_ready_words_0 / 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_2_choice := 0;
+      else
+        slice0cost_column_0_2_choice := slice0cost_ready_words_1;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_3_0_choice := 0;
+      else
+        slice0cost_column_3_0_choice := (slice0cost_column_0_0_choice + slice0cost_change_3_0) mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_3_1_choice := 0;
+      else
+        slice0cost_column_3_1_choice := (slice0cost_column_0_1_choice + slice0cost_change_3_1) mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_3_2_choice := 0;
+      else
+        slice0cost_column_3_2_choice := (slice0cost_column_0_2_choice + slice0cost_change_3_2) mod 4096;
+      end if;
       slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -1114,24 +1364,6 @@ begin
       slice0cost_ready_tag_output_column <= slice0cost_pixels_tag_output_column;
       slice0cost_ready_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
       slice0cost_ready_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_0_choice +
-        slice0cost_change_0_0) mod 4096;
-      slice0cost_column_0_1 <= 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_1_choice +
-        slice0cost_change_0_1) mod 4096;
-      slice0cost_column_0_2 <= 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_2_choice +
-        slice0cost_change_0_2) mod 4096;
-      slice0cost_column_1_0 <= 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_0_choice +
-        slice0cost_change_1_0) mod 4096;
-      slice0cost_column_1_1 <= 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_1_choice +
-        slice0cost_change_1_1) mod 4096;
-      slice0cost_column_1_2 <= 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_2_choice +
-        slice0cost_change_1_2) mod 4096;
-      slice0cost_column_2_0 <= 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_0_choice +
-        slice0cost_change_2_0) mod 4096;
-      slice0cost_column_2_1 <= 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_1_choice +
-        slice0cost_change_2_1) mod 4096;
-      slice0cost_column_2_2 <= 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_2_choice +
-        slice0cost_change_2_2) mod 4096;
       slice0cost_column_3_0 <= slice0cost_column_3_0_choice;
       slice0cost_column_3_1 <= slice0cost_column_3_1_choice;
       slice0cost_column_3_2 <= slice0cost_column_3_2_choice;
@@ -1144,15 +1376,47 @@ begin
       slice0cost_tag_output_column <= slice0cost_ready_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_1_0 <= 0;
+        slice0cost_column_1_1 <= 0;
+        slice0cost_column_1_2 <= 0;
+        slice0cost_column_2_0 <= 0;
+        slice0cost_column_2_1 <= 0;
+        slice0cost_column_2_2 <= 0;
+      else
+        slice0cost_column_0_0 <= (slice0cost_column_0_0_choice + slice0cost_change_0_0) mod 4096;
+        slice0cost_column_0_1 <= (slice0cost_column_0_1_choice + slice0cost_change_0_1) mod 4096;
+        slice0cost_column_0_2 <= (slice0cost_column_0_2_choice + slice0cost_change_0_2) mod 4096;
+        slice0cost_column_1_0 <= (slice0cost_column_0_0_choice + slice0cost_change_1_0) mod 4096;
+        slice0cost_column_1_1 <= (slice0cost_column_0_1_choice + slice0cost_change_1_1) mod 4096;
+        slice0cost_column_1_2 <= (slice0cost_column_0_2_choice + slice0cost_change_1_2) mod 4096;
+        slice0cost_column_2_0 <= (slice0cost_column_0_0_choice + slice0cost_change_2_0) mod 4096;
+        slice0cost_column_2_1 <= (slice0cost_column_0_1_choice + slice0cost_change_2_1) mod 4096;
+        slice0cost_column_2_2 <= (slice0cost_column_0_2_choice + slice0cost_change_2_2) mod 4096;
+      end if;
       if slice0shift_tag_valid then
-        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 32;
+        if slice0shift_tag_row_start then
+          slice0cost_read_column <= 0;
+        else
+          slice0cost_read_column <= (slice0cost_read_column + 1) mod 32;
+        end if;
       end if;
       if slice0cost_pixels_first_tag_valid then
-        slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
-          mod 32;
+        if slice0cost_pixels_first_tag_row_start then
+          slice0cost_change_column <= 0;
+        else
+          slice0cost_change_column <= (slice0cost_change_column + 1) mod 32;
+        end if;
       end if;
       if slice0cost_pixels_tag_valid then
-        slice0cost_ready_column <= 0 when slice0cost_pixels_tag_row_start else (slice0cost_ready_column + 1) mod 32;
+        if slice0cost_pixels_tag_row_start then
+          slice0cost_ready_column <= 0;
+        else
+          slice0cost_ready_column <= (slice0cost_ready_column + 1) mod 32;
+        end if;
       end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_words_0 <= (slice0cost_column_3_1_choice * 4096) + slice0cost_column_3_0_choice;
@@ -1160,9 +1424,12 @@ begin
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 10 else
-          (slice0window_ring_read_address + 1) mod 16;
         slice0window_ring_write_address <= slice0window_ring_read_address;
+        if slice0window_ring_read_address = 10 then
+          slice0window_ring_read_address <= 0;
+        else
+          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice0window_entering_tag_leaves_window then
         slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(11 downto 0));
@@ -1270,18 +1537,66 @@ begin
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_centre_end_of_line_1 <= slice0window_centre_end_of_line_0;
       slice0window_tag_valid <= slice0window_change_tag_valid;
-      slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
-      slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
-      slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
-      slice0window_sum_1_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_1_0;
-      slice0window_sum_1_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_1_1;
-      slice0window_sum_1_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_1_2;
-      slice0window_sum_2_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_2_0;
-      slice0window_sum_2_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_2_1;
-      slice0window_sum_2_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_2_2;
-      slice0window_sum_3_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_3_0;
-      slice0window_sum_3_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_3_1;
-      slice0window_sum_3_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_3_2;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_0_choice := 0;
+      else
+        slice0window_sum_0_0_choice := slice0window_sum_0_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_1_choice := 0;
+      else
+        slice0window_sum_0_1_choice := slice0window_sum_0_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_2_choice := 0;
+      else
+        slice0window_sum_0_2_choice := slice0window_sum_0_2;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_1_0_choice := 0;
+      else
+        slice0window_sum_1_0_choice := slice0window_sum_1_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_1_1_choice := 0;
+      else
+        slice0window_sum_1_1_choice := slice0window_sum_1_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_1_2_choice := 0;
+      else
+        slice0window_sum_1_2_choice := slice0window_sum_1_2;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_2_0_choice := 0;
+      else
+        slice0window_sum_2_0_choice := slice0window_sum_2_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_2_1_choice := 0;
+      else
+        slice0window_sum_2_1_choice := slice0window_sum_2_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_2_2_choice := 0;
+      else
+        slice0window_sum_2_2_choice := slice0window_sum_2_2;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_3_0_choice := 0;
+      else
+        slice0window_sum_3_0_choice := slice0window_sum_3_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_3_1_choice := 0;
+      else
+        slice0window_sum_3_1_choice := slice0window_sum_3_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_3_2_choice := 0;
+      else
+        slice0window_sum_3_2_choice := slice0window_sum_3_2;
+      end if;
       if slice0window_change_tag_valid then
         slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 32768;
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 32768;
@@ -1304,17 +1619,9 @@ begin
       slice0winner1_best_cost_1_0_is_less := (slice0window_sum_1_1 - slice0window_sum_1_0) < 0;
       slice0winner1_best_cost_2_0_is_less := (slice0window_sum_2_1 - slice0window_sum_2_0) < 0;
       slice0winner1_best_cost_3_0_is_less := (slice0window_sum_3_1 - slice0window_sum_3_0) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
       slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
       slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
-      slice0winner1_best_cost_2_0 <= slice0window_sum_2_1 when slice0winner1_best_cost_2_0_is_less else
-        slice0window_sum_2_0;
       slice0winner1_best_cost_2_1 <= slice0window_sum_2_2;
-      slice0winner1_best_cost_3_0 <= slice0window_sum_3_1 when slice0winner1_best_cost_3_0_is_less else
-        slice0window_sum_3_0;
       slice0winner1_best_cost_3_1 <= slice0window_sum_3_2;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
       slice0winner1_best_index_0_1 <= 2;
@@ -1322,6 +1629,26 @@ begin
       slice0winner1_best_index_2_0 <= slice0winner1_best_cost_2_0_is_less;
       slice0winner1_best_index_3_0 <= slice0winner1_best_cost_3_0_is_less;
       slice0winner1_tag_valid <= slice0window_tag_valid;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+      end if;
+      if slice0winner1_best_cost_1_0_is_less then
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_1;
+      else
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_0;
+      end if;
+      if slice0winner1_best_cost_2_0_is_less then
+        slice0winner1_best_cost_2_0 <= slice0window_sum_2_1;
+      else
+        slice0winner1_best_cost_2_0 <= slice0window_sum_2_0;
+      end if;
+      if slice0winner1_best_cost_3_0_is_less then
+        slice0winner1_best_cost_3_0 <= slice0window_sum_3_1;
+      else
+        slice0winner1_best_cost_3_0 <= slice0window_sum_3_0;
+      end if;
       if slice0winner1_tag_valid then
         slice0winner1_tag_output_column <= slice2window_centre_output_column_2;
         slice0winner1_tag_start_of_frame <= slice2window_centre_start_of_frame_2;
@@ -1332,26 +1659,38 @@ begin
       slice0winner2_best_cost_1_0_is_less := (slice0winner1_best_cost_1_1 - slice0winner1_best_cost_1_0) < 0;
       slice0winner2_best_cost_2_0_is_less := (slice0winner1_best_cost_2_1 - slice0winner1_best_cost_2_0) < 0;
       slice0winner2_best_cost_3_0_is_less := (slice0winner1_best_cost_3_1 - slice0winner1_best_cost_3_0) < 0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1 when slice0winner2_best_cost_2_0_is_less else
-        slice0winner1_best_cost_2_0;
-      slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1 when slice0winner2_best_cost_3_0_is_less else
-        slice0winner1_best_cost_3_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_2_0_is_less else
-        as_number(slice0winner1_best_index_2_0);
-      slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_3_0_is_less else
-        as_number(slice0winner1_best_index_3_0);
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+      end if;
+      if slice0winner2_best_cost_1_0_is_less then
+        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1;
+        slice0winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+        slice0winner2_best_index_1_0 <= as_number(slice0winner1_best_index_1_0);
+      end if;
+      if slice0winner2_best_cost_2_0_is_less then
+        slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_1;
+        slice0winner2_best_index_2_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_2_0 <= slice0winner1_best_cost_2_0;
+        slice0winner2_best_index_2_0 <= as_number(slice0winner1_best_index_2_0);
+      end if;
+      if slice0winner2_best_cost_3_0_is_less then
+        slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_1;
+        slice0winner2_best_index_3_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_3_0 <= slice0winner1_best_cost_3_0;
+        slice0winner2_best_index_3_0 <= as_number(slice0winner1_best_index_3_0);
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner2_best_cost_0_0;
       slice0_best_cost_1_0 <= slice0winner2_best_cost_1_0;
@@ -1424,15 +1763,36 @@ begin
         slice1cost_pixels_cost_2_1;
       slice1cost_change_2_2_difference := ((slice1cost_change_1_2_difference mod 4096) + slice1cost_pixels_cost_6_2) -
         slice1cost_pixels_cost_2_2;
-      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 mod 4096;
-      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 / 4096;
-      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1;
-      slice1cost_column_3_0_choice := 0 when slice0cost_tag_border_column else (slice1cost_column_0_0_choice +
-        slice1cost_change_3_0) mod 4096;
-      slice1cost_column_3_1_choice := 0 when slice0cost_tag_border_column else (slice1cost_column_0_1_choice +
-        slice1cost_change_3_1) mod 4096;
-      slice1cost_column_3_2_choice := 0 when slice0cost_tag_border_column else (slice1cost_column_0_2_choice +
-        slice1cost_change_3_2) mod 4096;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_0_choice := 0;
+      else
+        slice1cost_column_0_0_choice := slice1cost_ready_words_0 mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_1_choice := 0;
+      else
+        slice1cost_column_0_1_choice := slice1cost_ready_words_0 / 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_2_choice := 0;
+      else
+        slice1cost_column_0_2_choice := slice1cost_ready_words_1;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_3_0_choice := 0;
+      else
+        slice1cost_column_3_0_choice := (slice1cost_column_0_0_choice + slice1cost_change_3_0) mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_3_1_choice := 0;
+      else
+        slice1cost_column_3_1_choice := (slice1cost_column_0_1_choice + slice1cost_change_3_1) mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_3_2_choice := 0;
+      else
+        slice1cost_column_3_2_choice := (slice1cost_column_0_2_choice + slice1cost_change_3_2) mod 4096;
+      end if;
       slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_pixels_first_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -1525,37 +1885,43 @@ begin
       slice1cost_ready_words_0 <= to_integer(slice1cost_read_words_0);
       slice1cost_ready_words_1 <= to_integer(slice1cost_read_words_1);
       slice1cost_ready_column <= slice1cost_change_column;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else (slice1cost_column_0_0_choice +
-        slice1cost_change_0_0) mod 4096;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else (slice1cost_column_0_1_choice +
-        slice1cost_change_0_1) mod 4096;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else (slice1cost_column_0_2_choice +
-        slice1cost_change_0_2) mod 4096;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else (slice1cost_column_0_0_choice +
-        slice1cost_change_1_0) mod 4096;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else (slice1cost_column_0_1_choice +
-        slice1cost_change_1_1) mod 4096;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else (slice1cost_column_0_2_choice +
-        slice1cost_change_1_2) mod 4096;
-      slice1cost_column_2_0 <= 0 when slice0cost_tag_border_column else (slice1cost_column_0_0_choice +
-        slice1cost_change_2_0) mod 4096;
-      slice1cost_column_2_1 <= 0 when slice0cost_tag_border_column else (slice1cost_column_0_1_choice +
-        slice1cost_change_2_1) mod 4096;
-      slice1cost_column_2_2 <= 0 when slice0cost_tag_border_column else (slice1cost_column_0_2_choice +
-        slice1cost_change_2_2) mod 4096;
       slice1cost_column_3_0 <= slice1cost_column_3_0_choice;
       slice1cost_column_3_1 <= slice1cost_column_3_1_choice;
       slice1cost_column_3_2 <= slice1cost_column_3_2_choice;
       slice1cost_write_column <= slice0cost_write_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_1_0 <= 0;
+        slice1cost_column_1_1 <= 0;
+        slice1cost_column_1_2 <= 0;
+        slice1cost_column_2_0 <= 0;
+        slice1cost_column_2_1 <= 0;
+        slice1cost_column_2_2 <= 0;
+      else
+        slice1cost_column_0_0 <= (slice1cost_column_0_0_choice + slice1cost_change_0_0) mod 4096;
+        slice1cost_column_0_1 <= (slice1cost_column_0_1_choice + slice1cost_change_0_1) mod 4096;
+        slice1cost_column_0_2 <= (slice1cost_column_0_2_choice + slice1cost_change_0_2) mod 4096;
+        slice1cost_column_1_0 <= (slice1cost_column_0_0_choice + slice1cost_change_1_0) mod 4096;
+        slice1cost_column_1_1 <= (slice1cost_column_0_1_choice + slice1cost_change_1_1) mod 4096;
+        slice1cost_column_1_2 <= (slice1cost_column_0_2_choice + slice1cost_change_1_2) mod 4096;
+        slice1cost_column_2_0 <= (slice1cost_column_0_0_choice + slice1cost_change_2_0) mod 4096;
+        slice1cost_column_2_1 <= (slice1cost_column_0_1_choice + slice1cost_change_2_1) mod 4096;
+        slice1cost_column_2_2 <= (slice1cost_column_0_2_choice + slice1cost_change_2_2) mod 4096;
+      end if;
       if slice0cost_tag_valid then
         slice1cost_write_words_0 <= (slice1cost_column_3_1_choice * 4096) + slice1cost_column_3_0_choice;
         slice1cost_write_words_1 <= slice1cost_column_3_2_choice;
       end if;
       -- slice1window
       if slice0window_entering_tag_valid then
-        slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 10 else
-          (slice1window_ring_read_address + 1) mod 16;
         slice1window_ring_write_address <= slice1window_ring_read_address;
+        if slice1window_ring_read_address = 10 then
+          slice1window_ring_read_address <= 0;
+        else
+          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice0window_change_tag_leaves_window then
         slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(11 downto 0));
@@ -1643,18 +2009,66 @@ begin
       slice1window_change_3_2 <= slice1window_entering_3_2 - slice1window_change_3_2_choice;
       slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
       slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
-      slice1window_sum_0_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_0;
-      slice1window_sum_0_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_1;
-      slice1window_sum_0_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_2;
-      slice1window_sum_1_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_1_0;
-      slice1window_sum_1_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_1_1;
-      slice1window_sum_1_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_1_2;
-      slice1window_sum_2_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_2_0;
-      slice1window_sum_2_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_2_1;
-      slice1window_sum_2_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_2_2;
-      slice1window_sum_3_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_3_0;
-      slice1window_sum_3_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_3_1;
-      slice1window_sum_3_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_3_2;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_0_choice := 0;
+      else
+        slice1window_sum_0_0_choice := slice1window_sum_0_0;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_1_choice := 0;
+      else
+        slice1window_sum_0_1_choice := slice1window_sum_0_1;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_2_choice := 0;
+      else
+        slice1window_sum_0_2_choice := slice1window_sum_0_2;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_1_0_choice := 0;
+      else
+        slice1window_sum_1_0_choice := slice1window_sum_1_0;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_1_1_choice := 0;
+      else
+        slice1window_sum_1_1_choice := slice1window_sum_1_1;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_1_2_choice := 0;
+      else
+        slice1window_sum_1_2_choice := slice1window_sum_1_2;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_2_0_choice := 0;
+      else
+        slice1window_sum_2_0_choice := slice1window_sum_2_0;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_2_1_choice := 0;
+      else
+        slice1window_sum_2_1_choice := slice1window_sum_2_1;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_2_2_choice := 0;
+      else
+        slice1window_sum_2_2_choice := slice1window_sum_2_2;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_3_0_choice := 0;
+      else
+        slice1window_sum_3_0_choice := slice1window_sum_3_0;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_3_1_choice := 0;
+      else
+        slice1window_sum_3_1_choice := slice1window_sum_3_1;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_3_2_choice := 0;
+      else
+        slice1window_sum_3_2_choice := slice1window_sum_3_2;
+      end if;
       if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 32768;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 32768;
@@ -1679,64 +2093,104 @@ begin
       slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
       slice1winner1_best_cost_2_0_is_less := (slice1window_sum_2_1 - slice1window_sum_2_0) < 0;
       slice1winner1_best_cost_3_0_is_less := (slice1window_sum_3_1 - slice1window_sum_3_0) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
       slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
       slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
-      slice1winner1_best_cost_2_0 <= slice1window_sum_2_1 when slice1winner1_best_cost_2_0_is_less else
-        slice1window_sum_2_0;
       slice1winner1_best_cost_2_1 <= slice1window_sum_2_2;
-      slice1winner1_best_cost_3_0 <= slice1window_sum_3_1 when slice1winner1_best_cost_3_0_is_less else
-        slice1window_sum_3_0;
       slice1winner1_best_cost_3_1 <= slice1window_sum_3_2;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
       slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
       slice1winner1_best_index_2_0 <= slice1winner1_best_cost_2_0_is_less;
       slice1winner1_best_index_3_0 <= slice1winner1_best_cost_3_0_is_less;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+      end if;
+      if slice1winner1_best_cost_1_0_is_less then
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_1;
+      else
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_0;
+      end if;
+      if slice1winner1_best_cost_2_0_is_less then
+        slice1winner1_best_cost_2_0 <= slice1window_sum_2_1;
+      else
+        slice1winner1_best_cost_2_0 <= slice1window_sum_2_0;
+      end if;
+      if slice1winner1_best_cost_3_0_is_less then
+        slice1winner1_best_cost_3_0 <= slice1window_sum_3_1;
+      else
+        slice1winner1_best_cost_3_0 <= slice1window_sum_3_0;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
       slice1winner2_best_cost_2_0_is_less := (slice1winner1_best_cost_2_1 - slice1winner1_best_cost_2_0) < 0;
       slice1winner2_best_cost_3_0_is_less := (slice1winner1_best_cost_3_1 - slice1winner1_best_cost_3_0) < 0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1 when slice1winner2_best_cost_2_0_is_less else
-        slice1winner1_best_cost_2_0;
-      slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1 when slice1winner2_best_cost_3_0_is_less else
-        slice1winner1_best_cost_3_0;
-      slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
-      slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_2_0_is_less else
-        as_number(slice1winner1_best_index_2_0);
-      slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice1winner2_best_cost_3_0_is_less else
-        as_number(slice1winner1_best_index_3_0);
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+      end if;
+      if slice1winner2_best_cost_1_0_is_less then
+        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1;
+        slice1winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+        slice1winner2_best_index_1_0 <= as_number(slice1winner1_best_index_1_0);
+      end if;
+      if slice1winner2_best_cost_2_0_is_less then
+        slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_1;
+        slice1winner2_best_index_2_0 <= slice0winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_2_0 <= slice1winner1_best_cost_2_0;
+        slice1winner2_best_index_2_0 <= as_number(slice1winner1_best_index_2_0);
+      end if;
+      if slice1winner2_best_cost_3_0_is_less then
+        slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_1;
+        slice1winner2_best_index_3_0 <= slice0winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_3_0 <= slice1winner1_best_cost_3_0;
+        slice1winner2_best_index_3_0 <= as_number(slice1winner1_best_index_3_0);
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner2_best_cost_0_0) < 0;
       slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner2_best_cost_1_0) < 0;
       slice1_best_cost_2_0_is_less := (slice0_best_cost_2_0 - slice1winner2_best_cost_2_0) < 0;
       slice1_best_cost_3_0_is_less := (slice0_best_cost_3_0 - slice1winner2_best_cost_3_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner2_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner2_best_cost_1_0;
-      slice1_best_cost_2_0 <= slice0_best_cost_2_0 when slice1_best_cost_2_0_is_less else slice1winner2_best_cost_2_0;
-      slice1_best_cost_3_0 <= slice0_best_cost_3_0 when slice1_best_cost_3_0_is_less else slice1winner2_best_cost_3_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0 + 3;
-      slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        slice1winner2_best_index_1_0 + 3;
-      slice1_best_index_2_0 <= slice0_best_index_2_0 when slice1_best_cost_2_0_is_less else
-        slice1winner2_best_index_2_0 + 3;
-      slice1_best_index_3_0 <= slice0_best_index_3_0 when slice1_best_cost_3_0_is_less else
-        slice1winner2_best_index_3_0 + 3;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1_best_index_0_0 <= slice1winner2_best_index_0_0 + 3;
+      end if;
+      if slice1_best_cost_1_0_is_less then
+        slice1_best_cost_1_0 <= slice0_best_cost_1_0;
+        slice1_best_index_1_0 <= slice0_best_index_1_0;
+      else
+        slice1_best_cost_1_0 <= slice1winner2_best_cost_1_0;
+        slice1_best_index_1_0 <= slice1winner2_best_index_1_0 + 3;
+      end if;
+      if slice1_best_cost_2_0_is_less then
+        slice1_best_cost_2_0 <= slice0_best_cost_2_0;
+        slice1_best_index_2_0 <= slice0_best_index_2_0;
+      else
+        slice1_best_cost_2_0 <= slice1winner2_best_cost_2_0;
+        slice1_best_index_2_0 <= slice1winner2_best_index_2_0 + 3;
+      end if;
+      if slice1_best_cost_3_0_is_less then
+        slice1_best_cost_3_0 <= slice0_best_cost_3_0;
+        slice1_best_index_3_0 <= slice0_best_index_3_0;
+      else
+        slice1_best_cost_3_0 <= slice1winner2_best_cost_3_0;
+        slice1_best_index_3_0 <= slice1winner2_best_index_3_0 + 3;
+      end if;
       -- slice2shift
       if slice0cost_pixels_first_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -1788,16 +2242,36 @@ begin
         slice2cost_pixels_cost_2_1;
       slice2cost_change_2_2_difference := ((slice2cost_change_1_2_difference mod 4096) + slice2cost_pixels_cost_6_2) -
         slice2cost_pixels_cost_2_2;
-      slice2cost_column_0_0_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 mod
-        4096;
-      slice2cost_column_0_1_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 / 4096;
-      slice2cost_column_0_2_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_1;
-      slice2cost_column_3_0_choice := 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_0_choice
-        + slice2cost_change_3_0) mod 4096;
-      slice2cost_column_3_1_choice := 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_1_choice
-        + slice2cost_change_3_1) mod 4096;
-      slice2cost_column_3_2_choice := 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_2_choice
-        + slice2cost_change_3_2) mod 4096;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_0_choice := 0;
+      else
+        slice2cost_column_0_0_choice := slice2cost_ready_words_0 mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_1_choice := 0;
+      else
+        slice2cost_column_0_1_choice := slice2cost_ready_words_0 / 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_2_choice := 0;
+      else
+        slice2cost_column_0_2_choice := slice2cost_ready_words_1;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_3_0_choice := 0;
+      else
+        slice2cost_column_3_0_choice := (slice2cost_column_0_0_choice + slice2cost_change_3_0) mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_3_1_choice := 0;
+      else
+        slice2cost_column_3_1_choice := (slice2cost_column_0_1_choice + slice2cost_change_3_1) mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_3_2_choice := 0;
+      else
+        slice2cost_column_3_2_choice := (slice2cost_column_0_2_choice + slice2cost_change_3_2) mod 4096;
+      end if;
       slice2cost_pixels_first_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_pixels_first_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_pixels_first_0_2 <= slice2shift_search_0_2 - slice2shift_reference_0;
@@ -1888,27 +2362,30 @@ begin
         slice2cost_change_2_2_difference) + 2048) mod 4096) - 2048;
       slice2cost_ready_words_0 <= to_integer(slice2cost_read_words_0);
       slice2cost_ready_words_1 <= to_integer(slice2cost_read_words_1);
-      slice2cost_column_0_0 <= 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_0_choice +
-        slice2cost_change_0_0) mod 4096;
-      slice2cost_column_0_1 <= 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_1_choice +
-        slice2cost_change_0_1) mod 4096;
-      slice2cost_column_0_2 <= 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_2_choice +
-        slice2cost_change_0_2) mod 4096;
-      slice2cost_column_1_0 <= 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_0_choice +
-        slice2cost_change_1_0) mod 4096;
-      slice2cost_column_1_1 <= 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_1_choice +
-        slice2cost_change_1_1) mod 4096;
-      slice2cost_column_1_2 <= 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_2_choice +
-        slice2cost_change_1_2) mod 4096;
-      slice2cost_column_2_0 <= 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_0_choice +
-        slice2cost_change_2_0) mod 4096;
-      slice2cost_column_2_1 <= 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_1_choice +
-        slice2cost_change_2_1) mod 4096;
-      slice2cost_column_2_2 <= 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_2_choice +
-        slice2cost_change_2_2) mod 4096;
       slice2cost_column_3_0 <= slice2cost_column_3_0_choice;
       slice2cost_column_3_1 <= slice2cost_column_3_1_choice;
       slice2cost_column_3_2 <= slice2cost_column_3_2_choice;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+        slice2cost_column_0_2 <= 0;
+        slice2cost_column_1_0 <= 0;
+        slice2cost_column_1_1 <= 0;
+        slice2cost_column_1_2 <= 0;
+        slice2cost_column_2_0 <= 0;
+        slice2cost_column_2_1 <= 0;
+        slice2cost_column_2_2 <= 0;
+      else
+        slice2cost_column_0_0 <= (slice2cost_column_0_0_choice + slice2cost_change_0_0) mod 4096;
+        slice2cost_column_0_1 <= (slice2cost_column_0_1_choice + slice2cost_change_0_1) mod 4096;
+        slice2cost_column_0_2 <= (slice2cost_column_0_2_choice + slice2cost_change_0_2) mod 4096;
+        slice2cost_column_1_0 <= (slice2cost_column_0_0_choice + slice2cost_change_1_0) mod 4096;
+        slice2cost_column_1_1 <= (slice2cost_column_0_1_choice + slice2cost_change_1_1) mod 4096;
+        slice2cost_column_1_2 <= (slice2cost_column_0_2_choice + slice2cost_change_1_2) mod 4096;
+        slice2cost_column_2_0 <= (slice2cost_column_0_0_choice + slice2cost_change_2_0) mod 4096;
+        slice2cost_column_2_1 <= (slice2cost_column_0_1_choice + slice2cost_change_2_1) mod 4096;
+        slice2cost_column_2_2 <= (slice2cost_column_0_2_choice + slice2cost_change_2_2) mod 4096;
+      end if;
       if slice0cost_ready_tag_valid then
         slice2cost_change_column <= slice2cost_read_column;
       end if;
@@ -1922,9 +2399,12 @@ begin
       end if;
       -- slice2window
       if slice0window_change_tag_valid then
-        slice2window_ring_read_address <= 0 when slice2window_ring_read_address = 10 else
-          (slice2window_ring_read_address + 1) mod 16;
         slice2window_ring_write_address <= slice2window_ring_read_address;
+        if slice2window_ring_read_address = 10 then
+          slice2window_ring_read_address <= 0;
+        else
+          slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice1window_change_tag_leaves_window then
         slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(11 downto 0));
@@ -2010,18 +2490,66 @@ begin
       slice2window_change_3_0 <= slice2window_entering_3_0 - slice2window_change_3_0_choice;
       slice2window_change_3_1 <= slice2window_entering_3_1 - slice2window_change_3_1_choice;
       slice2window_change_3_2 <= slice2window_entering_3_2 - slice2window_change_3_2_choice;
-      slice2window_sum_0_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_0;
-      slice2window_sum_0_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_1;
-      slice2window_sum_0_2_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_2;
-      slice2window_sum_1_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_1_0;
-      slice2window_sum_1_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_1_1;
-      slice2window_sum_1_2_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_1_2;
-      slice2window_sum_2_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_2_0;
-      slice2window_sum_2_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_2_1;
-      slice2window_sum_2_2_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_2_2;
-      slice2window_sum_3_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_3_0;
-      slice2window_sum_3_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_3_1;
-      slice2window_sum_3_2_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_3_2;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_0_choice := 0;
+      else
+        slice2window_sum_0_0_choice := slice2window_sum_0_0;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_1_choice := 0;
+      else
+        slice2window_sum_0_1_choice := slice2window_sum_0_1;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_2_choice := 0;
+      else
+        slice2window_sum_0_2_choice := slice2window_sum_0_2;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_1_0_choice := 0;
+      else
+        slice2window_sum_1_0_choice := slice2window_sum_1_0;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_1_1_choice := 0;
+      else
+        slice2window_sum_1_1_choice := slice2window_sum_1_1;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_1_2_choice := 0;
+      else
+        slice2window_sum_1_2_choice := slice2window_sum_1_2;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_2_0_choice := 0;
+      else
+        slice2window_sum_2_0_choice := slice2window_sum_2_0;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_2_1_choice := 0;
+      else
+        slice2window_sum_2_1_choice := slice2window_sum_2_1;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_2_2_choice := 0;
+      else
+        slice2window_sum_2_2_choice := slice2window_sum_2_2;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_3_0_choice := 0;
+      else
+        slice2window_sum_3_0_choice := slice2window_sum_3_0;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_3_1_choice := 0;
+      else
+        slice2window_sum_3_1_choice := slice2window_sum_3_1;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_3_2_choice := 0;
+      else
+        slice2window_sum_3_2_choice := slice2window_sum_3_2;
+      end if;
       if slice0winner1_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 32768;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 32768;
@@ -2046,56 +2574,92 @@ begin
       slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
       slice2winner1_best_cost_2_0_is_less := (slice2window_sum_2_1 - slice2window_sum_2_0) < 0;
       slice2winner1_best_cost_3_0_is_less := (slice2window_sum_3_1 - slice2window_sum_3_0) < 0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
       slice2winner1_best_cost_0_1 <= slice2window_sum_0_2;
-      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
-        slice2window_sum_1_0;
       slice2winner1_best_cost_1_1 <= slice2window_sum_1_2;
-      slice2winner1_best_cost_2_0 <= slice2window_sum_2_1 when slice2winner1_best_cost_2_0_is_less else
-        slice2window_sum_2_0;
       slice2winner1_best_cost_2_1 <= slice2window_sum_2_2;
-      slice2winner1_best_cost_3_0 <= slice2window_sum_3_1 when slice2winner1_best_cost_3_0_is_less else
-        slice2window_sum_3_0;
       slice2winner1_best_cost_3_1 <= slice2window_sum_3_2;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
       slice2winner1_best_index_2_0 <= slice2winner1_best_cost_2_0_is_less;
       slice2winner1_best_index_3_0 <= slice2winner1_best_cost_3_0_is_less;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
+      if slice2winner1_best_cost_1_0_is_less then
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_1;
+      else
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_0;
+      end if;
+      if slice2winner1_best_cost_2_0_is_less then
+        slice2winner1_best_cost_2_0 <= slice2window_sum_2_1;
+      else
+        slice2winner1_best_cost_2_0 <= slice2window_sum_2_0;
+      end if;
+      if slice2winner1_best_cost_3_0_is_less then
+        slice2winner1_best_cost_3_0 <= slice2window_sum_3_1;
+      else
+        slice2winner1_best_cost_3_0 <= slice2window_sum_3_0;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0_is_less := (slice2winner1_best_cost_0_1 - slice2winner1_best_cost_0_0) < 0;
       slice2winner2_best_cost_1_0_is_less := (slice2winner1_best_cost_1_1 - slice2winner1_best_cost_1_0) < 0;
       slice2winner2_best_cost_2_0_is_less := (slice2winner1_best_cost_2_1 - slice2winner1_best_cost_2_0) < 0;
       slice2winner2_best_cost_3_0_is_less := (slice2winner1_best_cost_3_1 - slice2winner1_best_cost_3_0) < 0;
-      slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1 when slice2winner2_best_cost_0_0_is_less else
-        slice2winner1_best_cost_0_0;
-      slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_1 when slice2winner2_best_cost_1_0_is_less else
-        slice2winner1_best_cost_1_0;
-      slice2winner2_best_cost_2_0 <= slice2winner1_best_cost_2_1 when slice2winner2_best_cost_2_0_is_less else
-        slice2winner1_best_cost_2_0;
-      slice2winner2_best_cost_3_0 <= slice2winner1_best_cost_3_1 when slice2winner2_best_cost_3_0_is_less else
-        slice2winner1_best_cost_3_0;
-      slice2winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice2winner2_best_cost_0_0_is_less else
-        as_number(slice2winner1_best_index_0_0);
-      slice2winner2_best_index_1_0 <= slice0winner1_best_index_0_1 when slice2winner2_best_cost_1_0_is_less else
-        as_number(slice2winner1_best_index_1_0);
-      slice2winner2_best_index_2_0 <= slice0winner1_best_index_0_1 when slice2winner2_best_cost_2_0_is_less else
-        as_number(slice2winner1_best_index_2_0);
-      slice2winner2_best_index_3_0 <= slice0winner1_best_index_0_1 when slice2winner2_best_cost_3_0_is_less else
-        as_number(slice2winner1_best_index_3_0);
+      if slice2winner2_best_cost_0_0_is_less then
+        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_1;
+        slice2winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
+        slice2winner2_best_index_0_0 <= as_number(slice2winner1_best_index_0_0);
+      end if;
+      if slice2winner2_best_cost_1_0_is_less then
+        slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_1;
+        slice2winner2_best_index_1_0 <= slice0winner1_best_index_0_1;
+      else
+        slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
+        slice2winner2_best_index_1_0 <= as_number(slice2winner1_best_index_1_0);
+      end if;
+      if slice2winner2_best_cost_2_0_is_less then
+        slice2winner2_best_cost_2_0 <= slice2winner1_best_cost_2_1;
+        slice2winner2_best_index_2_0 <= slice0winner1_best_index_0_1;
+      else
+        slice2winner2_best_cost_2_0 <= slice2winner1_best_cost_2_0;
+        slice2winner2_best_index_2_0 <= as_number(slice2winner1_best_index_2_0);
+      end if;
+      if slice2winner2_best_cost_3_0_is_less then
+        slice2winner2_best_cost_3_0 <= slice2winner1_best_cost_3_1;
+        slice2winner2_best_index_3_0 <= slice0winner1_best_index_0_1;
+      else
+        slice2winner2_best_cost_3_0 <= slice2winner1_best_cost_3_0;
+        slice2winner2_best_index_3_0 <= as_number(slice2winner1_best_index_3_0);
+      end if;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0 else
-        slice2winner2_best_index_0_0;
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner2_best_cost_1_0) < 0 else
-        slice2winner2_best_index_1_0;
-      slice2_best_index_2_0 <= slice1_best_index_2_0 when (slice1_best_cost_2_0 - slice2winner2_best_cost_2_0) < 0 else
-        slice2winner2_best_index_2_0;
-      slice2_best_index_3_0 <= slice1_best_index_3_0 when (slice1_best_cost_3_0 - slice2winner2_best_cost_3_0) < 0 else
-        slice2winner2_best_index_3_0;
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if (slice1_best_cost_0_0 - slice2winner2_best_cost_0_0) < 0 then
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      else
+        slice2_best_index_0_0 <= slice2winner2_best_index_0_0;
+      end if;
+      if (slice1_best_cost_1_0 - slice2winner2_best_cost_1_0) < 0 then
+        slice2_best_index_1_0 <= slice1_best_index_1_0;
+      else
+        slice2_best_index_1_0 <= slice2winner2_best_index_1_0;
+      end if;
+      if (slice1_best_cost_2_0 - slice2winner2_best_cost_2_0) < 0 then
+        slice2_best_index_2_0 <= slice1_best_index_2_0;
+      else
+        slice2_best_index_2_0 <= slice2winner2_best_index_2_0;
+      end if;
+      if (slice1_best_cost_3_0 - slice2winner2_best_cost_3_0) < 0 then
+        slice2_best_index_3_0 <= slice1_best_index_3_0;
+      else
+        slice2_best_index_3_0 <= slice2winner2_best_index_3_0;
+      end if;
       -- other
       other_0 <= rows_reference_rows_read_newest_2 + (rows_reference_rows_read_newest_3 * 256);
       other_1 <= (rows_search_rows_read_newest_3 * 256) + rows_search_rows_read_newest_2;

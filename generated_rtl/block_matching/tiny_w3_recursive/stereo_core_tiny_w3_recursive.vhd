@@ -256,98 +256,152 @@ architecture rtl of stereo_core_tiny_w3_recursive is
   signal slice2_best_index_0_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
   signal slice2_best_tag_end_of_line : boolean;
+  signal slice2window_leaving_0_memory_read_enable : boolean;
+  signal slice2window_leaving_0_memory_read_address : unsigned(1 downto 0);
+  signal slice2window_leaving_0_memory_write_address : unsigned(1 downto 0);
   signal slice2window_leaving_0_memory_write_data : unsigned(19 downto 0);
+  signal slice2cost_read_words_0_memory_read_enable : boolean;
+  signal slice2cost_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice2cost_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice2cost_read_words_0_memory_write_data : unsigned(19 downto 0);
+  signal slice1window_leaving_0_memory_read_enable : boolean;
+  signal slice1window_leaving_0_memory_read_address : unsigned(1 downto 0);
+  signal slice1window_leaving_0_memory_write_address : unsigned(1 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(29 downto 0);
+  signal slice1cost_read_words_0_memory_read_enable : boolean;
+  signal slice1cost_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice1cost_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice1cost_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal slice0window_leaving_0_memory_read_enable : boolean;
+  signal slice0window_leaving_0_memory_read_address : unsigned(1 downto 0);
+  signal slice0window_leaving_0_memory_write_address : unsigned(1 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(29 downto 0);
+  signal slice0cost_read_words_0_memory_read_enable : boolean;
+  signal slice0cost_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice0cost_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(2 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(2 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(slice2_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(1, 1));
   disparity_valid <= as_bit(slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
 
+  slice2window_leaving_0_memory_read_enable <= true;
+  slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 2);
+  slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 2);
   slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0_1, 10) & to_unsigned(slice2cost_column_0_0, 10);
   slice2window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 4, width => 20)
+    generic map (depth => 4, width => 20, address_bits => 2)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_0,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
+      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving_0,
+      write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
 
+  slice2cost_read_words_0_memory_read_enable <= true;
+  slice2cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_ready_column, 5);
+  slice2cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_write_column, 5);
   slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words_0, 20);
   slice2cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 20)
+    generic map (depth => 32, width => 20, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_0,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
+      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words_0,
+      write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
 
+  slice1window_leaving_0_memory_read_enable <= true;
+  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 2);
+  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 2);
   slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_2, 10) & to_unsigned(slice1cost_column_0_1, 10) & to_unsigned(slice1cost_column_0_0, 10);
   slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 4, width => 30)
+    generic map (depth => 4, width => 30, address_bits => 2)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_0,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
+      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving_0,
+      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
 
+  slice1cost_read_words_0_memory_read_enable <= true;
+  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 5);
+  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_ready_column, 5);
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 30);
   slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 30)
+    generic map (depth => 32, width => 30, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
+      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words_0,
+      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
 
+  slice0window_leaving_0_memory_read_enable <= true;
+  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 2);
+  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 2);
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_2, 10) & to_unsigned(slice0cost_column_0_1, 10) & to_unsigned(slice0cost_column_0_0, 10);
   slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 4, width => 30)
+    generic map (depth => 4, width => 30, address_bits => 2)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
+      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
+  slice0cost_read_words_0_memory_read_enable <= true;
+  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 5);
+  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_change_column, 5);
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 30);
   slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 30)
+    generic map (depth => 32, width => 30, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
+      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words_0,
+      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 3);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 3);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 8)
+    generic map (depth => 8, width => 8, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_column_choice, delay_tag_row_start_is_equal, delay_tag_border_column_is_equal : boolean;
@@ -377,25 +431,46 @@ begin
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= 0 when in_start_of_frame and in_valid else (raster_place_group +
-        as_number(((raster_place_group /= 13) and in_valid and (raster_place_column = 31)))) mod 16;
-      raster_place_column_choice := in_start_of_frame or ((raster_place_column mod 2) = 1) when (raster_place_column /
-        2) = 15 else in_start_of_frame;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= 0;
+      else
+        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 13) and in_valid and
+          (raster_place_column = 31)))) mod 16;
+      end if;
+      if (raster_place_column / 2) = 15 then
+        raster_place_column_choice := in_start_of_frame or ((raster_place_column mod 2) = 1);
+      else
+        raster_place_column_choice := in_start_of_frame;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_column_choice else (raster_place_column + 1) mod 32;
+        if raster_place_column_choice then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 7 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 8;
+        end if;
       end if;
       delay_tag_row_start_is_equal := raster_place_column = 0;
       delay_tag_border_column_is_equal := (raster_place_column / 8) = 0;
       delay_tag_first_cost_is_equal := raster_place_column = 7;
-      delay_tag_leaves_window_choice := delay_tag_border_column_is_equal when ((raster_place_column / 2) mod 2) = 1
-        else not ((raster_place_column / 16) = 1);
-      delay_tag_leaves_window_choice_2 := delay_tag_border_column_is_equal when ((raster_place_column / 4) mod 2) = 1
-        else delay_tag_leaves_window_choice;
+      if ((raster_place_column / 2) mod 2) = 1 then
+        delay_tag_leaves_window_choice := delay_tag_border_column_is_equal;
+      else
+        delay_tag_leaves_window_choice := not ((raster_place_column / 16) = 1);
+      end if;
+      if ((raster_place_column / 4) mod 2) = 1 then
+        delay_tag_leaves_window_choice_2 := delay_tag_border_column_is_equal;
+      else
+        delay_tag_leaves_window_choice_2 := delay_tag_leaves_window_choice;
+      end if;
       delay_ahead_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= (raster_place_group >= 3) and (raster_place_group < 15);
@@ -403,14 +478,17 @@ begin
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= delay_tag_row_start_is_equal;
       delay_tag_first_group <= raster_place_group = 0;
-      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
-        delay_tag_border_column_is_equal;
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_leaves_window <= (not delay_tag_leaves_window_choice_2) or delay_tag_row_start_is_equal;
       delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 13) and (raster_place_column >= 7)
         and (raster_place_column < 31);
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
+      if (raster_place_column mod 4) = 3 then
+        delay_tag_border_column <= (raster_place_column / 4) = 0;
+      else
+        delay_tag_border_column <= delay_tag_border_column_is_equal;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -442,10 +520,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_newest_0 when rows_ready_inside_1 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_1 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_row_start <= rows_ready_tag_row_start;
       rows_tag_first_group <= rows_ready_tag_first_group;
@@ -455,6 +529,20 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 256;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_newest_0;
+        rows_reference_1 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_newest_0 * 65536) + ((rows_search_rows_ready_words_0
           / 65536) * 256) + ((rows_search_rows_ready_words_0 mod 65536) / 256);
@@ -485,16 +573,36 @@ begin
       slice0shift_tag_start_of_frame <= rows_tag_start_of_frame;
       slice0shift_tag_end_of_line <= rows_tag_end_of_line;
       -- slice0cost
-      slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 mod 1024;
-      slice0cost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_0 +
-        slice0cost_column_0_0_choice) mod 1024;
-      slice0cost_column_0_1_choice := 0 when slice0cost_ready_tag_first_group else (slice0cost_ready_words_0 / 1024)
-        mod 1024;
-      slice0cost_column_0_1_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_1_choice +
-        slice0cost_change_0_1) mod 1024;
-      slice0cost_column_0_2_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 / 1048576;
-      slice0cost_column_0_2_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_2_choice +
-        slice0cost_change_0_2) mod 1024;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_0_choice := 0;
+      else
+        slice0cost_column_0_0_choice := slice0cost_ready_words_0 mod 1024;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_0_choice_2 := 0;
+      else
+        slice0cost_column_0_0_choice_2 := (slice0cost_change_0_0 + slice0cost_column_0_0_choice) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_1_choice := 0;
+      else
+        slice0cost_column_0_1_choice := (slice0cost_ready_words_0 / 1024) mod 1024;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_1_choice_2 := 0;
+      else
+        slice0cost_column_0_1_choice_2 := (slice0cost_column_0_1_choice + slice0cost_change_0_1) mod 1024;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_2_choice := 0;
+      else
+        slice0cost_column_0_2_choice := slice0cost_ready_words_0 / 1048576;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_2_choice_2 := 0;
+      else
+        slice0cost_column_0_2_choice_2 := (slice0cost_column_0_2_choice + slice0cost_change_0_2) mod 1024;
+      end if;
       slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -556,14 +664,25 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
       if slice0shift_tag_valid then
-        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 32;
+        if slice0shift_tag_row_start then
+          slice0cost_read_column <= 0;
+        else
+          slice0cost_read_column <= (slice0cost_read_column + 1) mod 32;
+        end if;
       end if;
       if slice0cost_pixels_first_tag_valid then
-        slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
-          mod 32;
+        if slice0cost_pixels_first_tag_row_start then
+          slice0cost_change_column <= 0;
+        else
+          slice0cost_change_column <= (slice0cost_change_column + 1) mod 32;
+        end if;
       end if;
       if slice0cost_pixels_tag_valid then
-        slice0cost_ready_column <= 0 when slice0cost_pixels_tag_row_start else (slice0cost_ready_column + 1) mod 32;
+        if slice0cost_pixels_tag_row_start then
+          slice0cost_ready_column <= 0;
+        else
+          slice0cost_ready_column <= (slice0cost_ready_column + 1) mod 32;
+        end if;
       end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_words_0 <= (slice0cost_column_0_1_choice_2 * 1024) + slice0cost_column_0_0_choice_2 +
@@ -571,9 +690,12 @@ begin
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 3 else
-          (slice0window_ring_read_address + 1) mod 4;
         slice0window_ring_write_address <= slice0window_ring_read_address;
+        if slice0window_ring_read_address = 3 then
+          slice0window_ring_read_address <= 0;
+        else
+          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 4;
+        end if;
       end if;
       if slice0window_entering_tag_leaves_window then
         slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(9 downto 0));
@@ -619,9 +741,21 @@ begin
       slice0window_tag_first_column <= slice0window_centre_first_column_0;
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
-      slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
-      slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
-      slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_0_choice := 0;
+      else
+        slice0window_sum_0_0_choice := slice0window_sum_0_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_1_choice := 0;
+      else
+        slice0window_sum_0_1_choice := slice0window_sum_0_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_2_choice := 0;
+      else
+        slice0window_sum_0_2_choice := slice0window_sum_0_2;
+      end if;
       if slice0window_change_tag_valid then
         slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 4096;
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 4096;
@@ -631,17 +765,10 @@ begin
       slice0winner1_of_pair_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_of_four_0_0_is_less := (slice0winner1_of_pair_0_2 -
         to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 12)) or (to_unsigned(slice0winner1_of_pair_0_1, 12))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
       slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
       slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
       slice0winner1_pair_index_0_1 <= 2;
       slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
       slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
       slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
       slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
@@ -653,6 +780,24 @@ begin
       slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_of_pair_0_0_is_less then
+        slice0winner1_of_pair_0_0 <= 0;
+        slice0winner1_of_pair_0_1 <= slice0window_sum_0_1;
+      else
+        slice0winner1_of_pair_0_0 <= slice0window_sum_0_0;
+        slice0winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice0winner1_of_four_0_0_is_less then
+        slice0winner1_of_four_0_0 <= 0;
+        slice0winner1_of_four_0_1 <= 0;
+        slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2;
+        slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice0winner1_of_four_0_0 <= slice0winner1_of_pair_0_0;
+        slice0winner1_of_four_0_1 <= slice0winner1_of_pair_0_1;
+        slice0winner1_of_four_0_2 <= 0;
+        slice0winner1_four_index_0_0 <= as_number(slice0winner1_pair_index_0_0);
+      end if;
       if slice0winner1_pair_tag_valid then
         slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
         slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -679,15 +824,36 @@ begin
       slice1shift_search_out_0 <= slice1shift_search_0_0;
       slice1shift_search_out_1 <= slice1shift_search_1_0;
       -- slice1cost
-      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 mod 1024;
-      slice1cost_column_0_0_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_0 +
-        slice1cost_column_0_0_choice) mod 1024;
-      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_0 / 1024) mod 1024;
-      slice1cost_column_0_1_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_column_0_1_choice +
-        slice1cost_change_0_1) mod 1024;
-      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 / 1048576;
-      slice1cost_column_0_2_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_column_0_2_choice +
-        slice1cost_change_0_2) mod 1024;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_0_choice := 0;
+      else
+        slice1cost_column_0_0_choice := slice1cost_ready_words_0 mod 1024;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0_choice_2 := 0;
+      else
+        slice1cost_column_0_0_choice_2 := (slice1cost_change_0_0 + slice1cost_column_0_0_choice) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_1_choice := 0;
+      else
+        slice1cost_column_0_1_choice := (slice1cost_ready_words_0 / 1024) mod 1024;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_1_choice_2 := 0;
+      else
+        slice1cost_column_0_1_choice_2 := (slice1cost_column_0_1_choice + slice1cost_change_0_1) mod 1024;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_2_choice := 0;
+      else
+        slice1cost_column_0_2_choice := slice1cost_ready_words_0 / 1048576;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_2_choice_2 := 0;
+      else
+        slice1cost_column_0_2_choice_2 := (slice1cost_column_0_2_choice + slice1cost_change_0_2) mod 1024;
+      end if;
       slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_pixels_first_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -723,9 +889,12 @@ begin
       end if;
       -- slice1window
       if slice0window_entering_tag_valid then
-        slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 3 else
-          (slice1window_ring_read_address + 1) mod 4;
         slice1window_ring_write_address <= slice1window_ring_read_address;
+        if slice1window_ring_read_address = 3 then
+          slice1window_ring_read_address <= 0;
+        else
+          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 4;
+        end if;
       end if;
       if slice0window_change_tag_leaves_window then
         slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(9 downto 0));
@@ -749,9 +918,21 @@ begin
       slice1window_change_0_1 <= slice1window_entering_0_1 - slice1window_change_0_1_choice;
       slice1window_change_0_2 <= slice1window_entering_0_2 - slice1window_change_0_2_choice;
       slice1window_change_tag_leaves_window <= slice0window_change_tag_leaves_window;
-      slice1window_sum_0_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_0;
-      slice1window_sum_0_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_1;
-      slice1window_sum_0_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_2;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_0_choice := 0;
+      else
+        slice1window_sum_0_0_choice := slice1window_sum_0_0;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_1_choice := 0;
+      else
+        slice1window_sum_0_1_choice := slice1window_sum_0_1;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_2_choice := 0;
+      else
+        slice1window_sum_0_2_choice := slice1window_sum_0_2;
+      end if;
       if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 4096;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 4096;
@@ -761,27 +942,42 @@ begin
       slice1winner1_of_pair_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_of_four_0_0_is_less := (slice1winner1_of_pair_0_2 -
         to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 12)) or (to_unsigned(slice1winner1_of_pair_0_1, 12))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
       slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
       slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
       slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 12)) or
         (to_unsigned(slice1winner1_of_four_0_2, 12)))) or (to_unsigned(slice1winner1_of_four_0_0, 12))));
       slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
+      if slice1winner1_of_pair_0_0_is_less then
+        slice1winner1_of_pair_0_0 <= 0;
+        slice1winner1_of_pair_0_1 <= slice1window_sum_0_1;
+      else
+        slice1winner1_of_pair_0_0 <= slice1window_sum_0_0;
+        slice1winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice1winner1_of_four_0_0_is_less then
+        slice1winner1_of_four_0_0 <= 0;
+        slice1winner1_of_four_0_1 <= 0;
+        slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2;
+        slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice1winner1_of_four_0_0 <= slice1winner1_of_pair_0_0;
+        slice1winner1_of_four_0_1 <= slice1winner1_of_pair_0_1;
+        slice1winner1_of_four_0_2 <= 0;
+        slice1winner1_four_index_0_0 <= as_number(slice1winner1_pair_index_0_0);
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1_best_index_0_0 <= (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
+      end if;
       -- slice2shift
       if slice0cost_pixels_first_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -792,13 +988,26 @@ begin
       slice2shift_reference_0 <= slice1shift_reference_0;
       slice2shift_reference_1 <= slice1shift_reference_1;
       -- slice2cost
-      slice2cost_column_0_0_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 mod
-        1024;
-      slice2cost_column_0_0_choice_2 := 0 when slice0window_entering_tag_border_column else
-        (slice2cost_column_0_0_choice + slice2cost_change_0_0) mod 1024;
-      slice2cost_column_0_1_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 / 1024;
-      slice2cost_column_0_1_choice_2 := 0 when slice0window_entering_tag_border_column else
-        (slice2cost_column_0_1_choice + slice2cost_change_0_1) mod 1024;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_0_choice := 0;
+      else
+        slice2cost_column_0_0_choice := slice2cost_ready_words_0 mod 1024;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_0_choice_2 := 0;
+      else
+        slice2cost_column_0_0_choice_2 := (slice2cost_column_0_0_choice + slice2cost_change_0_0) mod 1024;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_1_choice := 0;
+      else
+        slice2cost_column_0_1_choice := slice2cost_ready_words_0 / 1024;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_1_choice_2 := 0;
+      else
+        slice2cost_column_0_1_choice_2 := (slice2cost_column_0_1_choice + slice2cost_change_0_1) mod 1024;
+      end if;
       slice2cost_pixels_first_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_pixels_first_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_pixels_first_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
@@ -829,9 +1038,12 @@ begin
       end if;
       -- slice2window
       if slice0window_change_tag_valid then
-        slice2window_ring_read_address <= 0 when slice2window_ring_read_address = 3 else
-          (slice2window_ring_read_address + 1) mod 4;
         slice2window_ring_write_address <= slice2window_ring_read_address;
+        if slice2window_ring_read_address = 3 then
+          slice2window_ring_read_address <= 0;
+        else
+          slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 4;
+        end if;
       end if;
       if slice1window_change_tag_leaves_window then
         slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(9 downto 0));
@@ -847,17 +1059,28 @@ begin
       slice2window_entering_0_1 <= slice2cost_column_0_1;
       slice2window_change_0_0 <= slice2window_entering_0_0 - slice2window_change_0_0_choice;
       slice2window_change_0_1 <= slice2window_entering_0_1 - slice2window_change_0_1_choice;
-      slice2window_sum_0_0_choice := 0 when slice0window_tag_first_column else slice2window_sum_0_0;
-      slice2window_sum_0_1_choice := 0 when slice0window_tag_first_column else slice2window_sum_0_1;
+      if slice0window_tag_first_column then
+        slice2window_sum_0_0_choice := 0;
+      else
+        slice2window_sum_0_0_choice := slice2window_sum_0_0;
+      end if;
+      if slice0window_tag_first_column then
+        slice2window_sum_0_1_choice := 0;
+      else
+        slice2window_sum_0_1_choice := slice2window_sum_0_1;
+      end if;
       if slice0winner1_pair_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 4096;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 4096;
       end if;
       -- slice2winner1
       slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_index_0_0 <= slice2winner1_best_index_0_0;
@@ -865,12 +1088,15 @@ begin
       slice2winner3_best_cost_0_0 <= slice2winner2_best_cost_0_0;
       slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
-        as_number(slice2winner3_best_index_0_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 then
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      else
+        slice2_best_index_0_0 <= as_number(slice2winner3_best_index_0_0);
+      end if;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;

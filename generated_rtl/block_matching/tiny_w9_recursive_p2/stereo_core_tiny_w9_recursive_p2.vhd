@@ -319,197 +319,317 @@ architecture rtl of stereo_core_tiny_w9_recursive_p2 is
   signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
   signal slice2_best_tag_end_of_line : boolean;
+  signal slice2window_leaving_1_memory_read_enable : boolean;
+  signal slice2window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice2window_leaving_0_memory_read_enable : boolean;
+  signal slice2window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice2window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice2window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice2cost_read_words_0_memory_read_enable : boolean;
+  signal slice2cost_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice2cost_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice2cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_2_memory_read_enable : boolean;
+  signal slice1window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_1_memory_read_enable : boolean;
+  signal slice1window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice1window_leaving_0_memory_read_enable : boolean;
+  signal slice1window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice1cost_read_words_1_memory_read_enable : boolean;
+  signal slice1cost_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal slice1cost_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal slice1cost_read_words_1_memory_write_data : unsigned(11 downto 0);
+  signal slice1cost_read_words_0_memory_read_enable : boolean;
+  signal slice1cost_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice1cost_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice1cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_2_memory_read_enable : boolean;
+  signal slice0window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_2_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_1_memory_read_enable : boolean;
+  signal slice0window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_1_memory_write_data : unsigned(23 downto 0);
+  signal slice0window_leaving_0_memory_read_enable : boolean;
+  signal slice0window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(23 downto 0);
+  signal slice0cost_read_words_1_memory_read_enable : boolean;
+  signal slice0cost_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal slice0cost_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal slice0cost_read_words_1_memory_write_data : unsigned(11 downto 0);
+  signal slice0cost_read_words_0_memory_read_enable : boolean;
+  signal slice0cost_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal slice0cost_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_2_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_2_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_2_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_2_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(2 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(2 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(15 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(slice2_best_index_1_0, 8) & to_unsigned(slice2_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(3, 2));
   disparity_valid <= as_bit(slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
 
+  slice2window_leaving_1_memory_read_enable <= true;
+  slice2window_leaving_1_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_1_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_1_memory_write_data <= to_unsigned(slice2cost_column_1_1, 12) & to_unsigned(slice2cost_column_1_0, 12);
   slice2window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_1,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_1_memory_read_enable,
+      read_address => slice2window_leaving_1_memory_read_address, read_data => slice2window_leaving_1,
+      write_address => slice2window_leaving_1_memory_write_address, write_data => slice2window_leaving_1_memory_write_data);
 
+  slice2window_leaving_0_memory_read_enable <= true;
+  slice2window_leaving_0_memory_read_address <= to_unsigned(slice2window_ring_read_address, 4);
+  slice2window_leaving_0_memory_write_address <= to_unsigned(slice2window_ring_write_address, 4);
   slice2window_leaving_0_memory_write_data <= to_unsigned(slice2cost_column_0_1, 12) & to_unsigned(slice2cost_column_0_0, 12);
   slice2window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice2window_ring_read_address, read_data => slice2window_leaving_0,
-      write_address => slice2window_ring_write_address, write_data => slice2window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice2window_leaving_0_memory_read_enable,
+      read_address => slice2window_leaving_0_memory_read_address, read_data => slice2window_leaving_0,
+      write_address => slice2window_leaving_0_memory_write_address, write_data => slice2window_leaving_0_memory_write_data);
 
+  slice2cost_read_words_0_memory_read_enable <= true;
+  slice2cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_ready_column, 5);
+  slice2cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_write_column, 5);
   slice2cost_read_words_0_memory_write_data <= to_unsigned(slice2cost_write_words_0, 24);
   slice2cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_ready_column, read_data => slice2cost_read_words_0,
-      write_address => slice2cost_write_column, write_data => slice2cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice2cost_read_words_0_memory_read_enable,
+      read_address => slice2cost_read_words_0_memory_read_address, read_data => slice2cost_read_words_0,
+      write_address => slice2cost_read_words_0_memory_write_address, write_data => slice2cost_read_words_0_memory_write_data);
 
+  slice1window_leaving_2_memory_read_enable <= true;
+  slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_1_2, 12) & to_unsigned(slice1cost_column_1_1, 12);
   slice1window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_2,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
+      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving_2,
+      write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
 
+  slice1window_leaving_1_memory_read_enable <= true;
+  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_1_0, 12) & to_unsigned(slice1cost_column_0_2, 12);
   slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_1,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
+      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving_1,
+      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
 
+  slice1window_leaving_0_memory_read_enable <= true;
+  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_1, 12) & to_unsigned(slice1cost_column_0_0, 12);
   slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_0,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
+      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving_0,
+      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
 
+  slice1cost_read_words_1_memory_read_enable <= true;
+  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 5);
+  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_ready_column, 5);
   slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 12);
   slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 12)
+    generic map (depth => 32, width => 12, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
+      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words_1,
+      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
 
+  slice1cost_read_words_0_memory_read_enable <= true;
+  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 5);
+  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_ready_column, 5);
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 24);
   slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
-      write_address => slice2cost_ready_column, write_data => slice1cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
+      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words_0,
+      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
 
+  slice0window_leaving_2_memory_read_enable <= true;
+  slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_1_2, 12) & to_unsigned(slice0cost_column_1_1, 12);
   slice0window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_2,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
+      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving_2,
+      write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
 
+  slice0window_leaving_1_memory_read_enable <= true;
+  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_1_0, 12) & to_unsigned(slice0cost_column_0_2, 12);
   slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_1,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
+      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving_1,
+      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
 
+  slice0window_leaving_0_memory_read_enable <= true;
+  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_1, 12) & to_unsigned(slice0cost_column_0_0, 12);
   slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 24)
+    generic map (depth => 10, width => 24, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
+      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
+  slice0cost_read_words_1_memory_read_enable <= true;
+  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 5);
+  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice2cost_change_column, 5);
   slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 12);
   slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 12)
+    generic map (depth => 32, width => 12, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
+      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words_1,
+      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
 
+  slice0cost_read_words_0_memory_read_enable <= true;
+  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 5);
+  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice2cost_change_column, 5);
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 24);
   slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice2cost_change_column, write_data => slice0cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
+      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words_0,
+      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_2_memory_read_enable <= true;
+  rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words_2, 8);
   rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 32, width => 8)
+    generic map (depth => 32, width => 8, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
+      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words_2,
+      write_address => rows_search_rows_read_words_2_memory_write_address, write_data => rows_search_rows_read_words_2_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_1_memory_write_data <= rows_search_rows_write_words_1;
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_2_memory_read_enable <= true;
+  rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words_2, 8);
   rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 32, width => 8)
+    generic map (depth => 32, width => 8, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
+      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words_2,
+      write_address => rows_reference_rows_read_words_2_memory_write_address, write_data => rows_reference_rows_read_words_2_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_1_memory_write_data <= rows_reference_rows_write_words_1;
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 32)
+    generic map (depth => 32, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 3);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 3);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference, 16);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 16)
+    generic map (depth => 8, width => 16, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_column_choice, delay_row_inside_0_value, delay_row_inside_0_value_2 : boolean;
@@ -554,17 +674,32 @@ begin
       raster_features_search_1 <= in_left_pixel / 256;
       raster_features_reference <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= 0 when in_start_of_frame and in_valid else (raster_place_group +
-        as_number(((raster_place_group /= 8) and in_valid and (raster_place_column = 31)))) mod 16;
-      raster_place_column_choice := in_start_of_frame or ((raster_place_column mod 2) = 1) when (raster_place_column /
-        2) = 15 else in_start_of_frame;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= 0;
+      else
+        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 8) and in_valid and
+          (raster_place_column = 31)))) mod 16;
+      end if;
+      if (raster_place_column / 2) = 15 then
+        raster_place_column_choice := in_start_of_frame or ((raster_place_column mod 2) = 1);
+      else
+        raster_place_column_choice := in_start_of_frame;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_column_choice else (raster_place_column + 1) mod 32;
+        if raster_place_column_choice then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 7 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 8;
+        end if;
       end if;
       delay_row_inside_0_value := ((raster_place_group / 4) mod 2) = 1;
       delay_row_inside_0_value_2 := ((raster_place_group / 2) mod 2) = 1;
@@ -572,18 +707,11 @@ begin
       delay_ahead_0 <= raster_features_search_0;
       delay_ahead_1 <= raster_features_search_1;
       delay_column <= raster_place_column;
-      delay_row_inside_0 <= (not delay_row_inside_0_value) and ((not delay_row_inside_0_value_2) or (not
-        ((raster_place_group mod 2) = 1))) when (raster_place_group / 8) = 1 else delay_row_inside_0_value and
-        (delay_row_inside_0_value_2 or ((raster_place_group mod 2) = 1));
-      delay_row_inside_1 <= ((raster_place_group / 2) mod 4) = 0 when (raster_place_group / 8) = 1 else
-        delay_row_inside_0_value;
       delay_row_inside_2 <= (not ((raster_place_group / 8) = 1)) and ((not delay_row_inside_0_value) or (not
         delay_row_inside_0_value_2));
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= raster_place_column = 0;
       delay_tag_first_group <= raster_place_group = 0;
-      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
-        (raster_place_column / 8) = 0;
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_leaves_window <= (((((raster_place_column / 16) + 4095) mod 4096) * 16) + (raster_place_column mod 16))
         < 65524;
@@ -591,6 +719,20 @@ begin
         6) and (raster_place_column >= 7) and (raster_place_column < 31);
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 2);
       delay_tag_end_of_line <= raster_place_column = 30;
+      if (raster_place_group / 8) = 1 then
+        delay_row_inside_0 <= (not delay_row_inside_0_value) and ((not delay_row_inside_0_value_2) or (not
+          ((raster_place_group mod 2) = 1)));
+        delay_row_inside_1 <= ((raster_place_group / 2) mod 4) = 0;
+      else
+        delay_row_inside_0 <= delay_row_inside_0_value and (delay_row_inside_0_value_2 or ((raster_place_group mod 2) =
+          1));
+        delay_row_inside_1 <= delay_row_inside_0_value;
+      end if;
+      if (raster_place_column mod 4) = 3 then
+        delay_tag_border_column <= (raster_place_column / 4) = 0;
+      else
+        delay_tag_border_column <= (raster_place_column / 8) = 0;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_read_newest_1 <= delay_ahead_1;
@@ -632,14 +774,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8)) when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_inside_2 else 0;
-      rows_search_3 <= rows_search_rows_ready_newest_1 when rows_ready_inside_2 else 0;
-      rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0)) when rows_ready_inside_0 else 0;
-      rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8)) when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
-      rows_reference_3 <= rows_reference_rows_ready_newest_1 when rows_ready_inside_2 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_row_start <= rows_ready_tag_row_start;
       rows_tag_first_group <= rows_ready_tag_first_group;
@@ -649,6 +783,31 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= to_integer(rows_search_rows_ready_words_0(7 downto 0));
+        rows_reference_0 <= to_integer(rows_reference_rows_ready_words_0(7 downto 0));
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= to_integer(rows_search_rows_ready_words_0(15 downto 8));
+        rows_reference_1 <= to_integer(rows_reference_rows_ready_words_0(15 downto 8));
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_newest_0;
+        rows_search_3 <= rows_search_rows_ready_newest_1;
+        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+        rows_reference_3 <= rows_reference_rows_ready_newest_1;
+      else
+        rows_search_2 <= 0;
+        rows_search_3 <= 0;
+        rows_reference_2 <= 0;
+        rows_reference_3 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= rows_search_rows_ready_words_1(15 downto 0) &
           rows_search_rows_ready_words_0(31 downto 16);
@@ -698,15 +857,36 @@ begin
       slice0cost_change_0_0_difference := slice0cost_pixels_cost_2_0 - slice0cost_pixels_cost_0_0;
       slice0cost_change_0_1_difference := slice0cost_pixels_cost_2_1 - slice0cost_pixels_cost_0_1;
       slice0cost_change_0_2_difference := slice0cost_pixels_cost_2_2 - slice0cost_pixels_cost_0_2;
-      slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 mod 4096;
-      slice0cost_column_0_1_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 / 4096;
-      slice0cost_column_0_2_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1;
-      slice0cost_column_1_0_choice := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_0_choice +
-        slice0cost_change_1_0) mod 4096;
-      slice0cost_column_1_1_choice := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_1_choice +
-        slice0cost_change_1_1) mod 4096;
-      slice0cost_column_1_2_choice := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_2_choice +
-        slice0cost_change_1_2) mod 4096;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_0_choice := 0;
+      else
+        slice0cost_column_0_0_choice := slice0cost_ready_words_0 mod 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_1_choice := 0;
+      else
+        slice0cost_column_0_1_choice := slice0cost_ready_words_0 / 4096;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_2_choice := 0;
+      else
+        slice0cost_column_0_2_choice := slice0cost_ready_words_1;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_1_0_choice := 0;
+      else
+        slice0cost_column_1_0_choice := (slice0cost_column_0_0_choice + slice0cost_change_1_0) mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_1_1_choice := 0;
+      else
+        slice0cost_column_1_1_choice := (slice0cost_column_0_1_choice + slice0cost_change_1_1) mod 4096;
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_1_2_choice := 0;
+      else
+        slice0cost_column_1_2_choice := (slice0cost_column_0_2_choice + slice0cost_change_1_2) mod 4096;
+      end if;
       slice0cost_pixels_first_0_0 <= slice0shift_search_0_0 - slice0shift_reference_0;
       slice0cost_pixels_first_0_1 <= slice0shift_search_0_1 - slice0shift_reference_0;
       slice0cost_pixels_first_0_2 <= slice0shift_search_0_2 - slice0shift_reference_0;
@@ -780,12 +960,6 @@ begin
       slice0cost_ready_tag_output_column <= slice0cost_pixels_tag_output_column;
       slice0cost_ready_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
       slice0cost_ready_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_0_choice +
-        slice0cost_change_0_0) mod 4096;
-      slice0cost_column_0_1 <= 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_1_choice +
-        slice0cost_change_0_1) mod 4096;
-      slice0cost_column_0_2 <= 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_2_choice +
-        slice0cost_change_0_2) mod 4096;
       slice0cost_column_1_0 <= slice0cost_column_1_0_choice;
       slice0cost_column_1_1 <= slice0cost_column_1_1_choice;
       slice0cost_column_1_2 <= slice0cost_column_1_2_choice;
@@ -798,15 +972,35 @@ begin
       slice0cost_tag_output_column <= slice0cost_ready_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+      else
+        slice0cost_column_0_0 <= (slice0cost_column_0_0_choice + slice0cost_change_0_0) mod 4096;
+        slice0cost_column_0_1 <= (slice0cost_column_0_1_choice + slice0cost_change_0_1) mod 4096;
+        slice0cost_column_0_2 <= (slice0cost_column_0_2_choice + slice0cost_change_0_2) mod 4096;
+      end if;
       if slice0shift_tag_valid then
-        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 32;
+        if slice0shift_tag_row_start then
+          slice0cost_read_column <= 0;
+        else
+          slice0cost_read_column <= (slice0cost_read_column + 1) mod 32;
+        end if;
       end if;
       if slice0cost_pixels_first_tag_valid then
-        slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
-          mod 32;
+        if slice0cost_pixels_first_tag_row_start then
+          slice0cost_change_column <= 0;
+        else
+          slice0cost_change_column <= (slice0cost_change_column + 1) mod 32;
+        end if;
       end if;
       if slice0cost_pixels_tag_valid then
-        slice0cost_ready_column <= 0 when slice0cost_pixels_tag_row_start else (slice0cost_ready_column + 1) mod 32;
+        if slice0cost_pixels_tag_row_start then
+          slice0cost_ready_column <= 0;
+        else
+          slice0cost_ready_column <= (slice0cost_ready_column + 1) mod 32;
+        end if;
       end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_words_0 <= (slice0cost_column_1_1_choice * 4096) + slice0cost_column_1_0_choice;
@@ -814,9 +1008,12 @@ begin
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 9 else
-          (slice0window_ring_read_address + 1) mod 16;
         slice0window_ring_write_address <= slice0window_ring_read_address;
+        if slice0window_ring_read_address = 9 then
+          slice0window_ring_read_address <= 0;
+        else
+          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice0window_entering_tag_leaves_window then
         slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(11 downto 0));
@@ -879,12 +1076,36 @@ begin
       slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_tag_valid <= slice0window_change_tag_valid;
-      slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
-      slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
-      slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
-      slice0window_sum_1_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_1_0;
-      slice0window_sum_1_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_1_1;
-      slice0window_sum_1_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_1_2;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_0_choice := 0;
+      else
+        slice0window_sum_0_0_choice := slice0window_sum_0_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_1_choice := 0;
+      else
+        slice0window_sum_0_1_choice := slice0window_sum_0_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_2_choice := 0;
+      else
+        slice0window_sum_0_2_choice := slice0window_sum_0_2;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_1_0_choice := 0;
+      else
+        slice0window_sum_1_0_choice := slice0window_sum_1_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_1_1_choice := 0;
+      else
+        slice0window_sum_1_1_choice := slice0window_sum_1_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_1_2_choice := 0;
+      else
+        slice0window_sum_1_2_choice := slice0window_sum_1_2;
+      end if;
       if slice0window_change_tag_valid then
         slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 32768;
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 32768;
@@ -903,26 +1124,12 @@ begin
         to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 15)) or (to_unsigned(slice0winner1_of_pair_0_1, 15))))) < 0;
       slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
         to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 15)) or (to_unsigned(slice0winner1_of_pair_1_1, 15))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
       slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
-      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
-      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
       slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
       slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
       slice0winner1_pair_index_0_1 <= 2;
       slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
       slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
-      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
-      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
-        as_number(slice0winner1_pair_index_1_0);
       slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
       slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
       slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
@@ -937,6 +1144,42 @@ begin
       slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_of_pair_0_0_is_less then
+        slice0winner1_of_pair_0_0 <= 0;
+        slice0winner1_of_pair_0_1 <= slice0window_sum_0_1;
+      else
+        slice0winner1_of_pair_0_0 <= slice0window_sum_0_0;
+        slice0winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice0winner1_of_pair_1_0_is_less then
+        slice0winner1_of_pair_1_0 <= 0;
+        slice0winner1_of_pair_1_1 <= slice0window_sum_1_1;
+      else
+        slice0winner1_of_pair_1_0 <= slice0window_sum_1_0;
+        slice0winner1_of_pair_1_1 <= 0;
+      end if;
+      if slice0winner1_of_four_0_0_is_less then
+        slice0winner1_of_four_0_0 <= 0;
+        slice0winner1_of_four_0_1 <= 0;
+        slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2;
+        slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice0winner1_of_four_0_0 <= slice0winner1_of_pair_0_0;
+        slice0winner1_of_four_0_1 <= slice0winner1_of_pair_0_1;
+        slice0winner1_of_four_0_2 <= 0;
+        slice0winner1_four_index_0_0 <= as_number(slice0winner1_pair_index_0_0);
+      end if;
+      if slice0winner1_of_four_1_0_is_less then
+        slice0winner1_of_four_1_0 <= 0;
+        slice0winner1_of_four_1_1 <= 0;
+        slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2;
+        slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice0winner1_of_four_1_0 <= slice0winner1_of_pair_1_0;
+        slice0winner1_of_four_1_1 <= slice0winner1_of_pair_1_1;
+        slice0winner1_of_four_1_2 <= 0;
+        slice0winner1_four_index_1_0 <= as_number(slice0winner1_pair_index_1_0);
+      end if;
       if slice0winner1_pair_tag_valid then
         slice0winner1_pair_tag_output_column <= slice2window_centre_output_column_2;
         slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -978,15 +1221,36 @@ begin
       slice1cost_change_0_0_difference := slice1cost_pixels_cost_2_0 - slice1cost_pixels_cost_0_0;
       slice1cost_change_0_1_difference := slice1cost_pixels_cost_2_1 - slice1cost_pixels_cost_0_1;
       slice1cost_change_0_2_difference := slice1cost_pixels_cost_2_2 - slice1cost_pixels_cost_0_2;
-      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 mod 4096;
-      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 / 4096;
-      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1;
-      slice1cost_column_1_0_choice := 0 when slice0cost_tag_border_column else (slice1cost_column_0_0_choice +
-        slice1cost_change_1_0) mod 4096;
-      slice1cost_column_1_1_choice := 0 when slice0cost_tag_border_column else (slice1cost_column_0_1_choice +
-        slice1cost_change_1_1) mod 4096;
-      slice1cost_column_1_2_choice := 0 when slice0cost_tag_border_column else (slice1cost_column_0_2_choice +
-        slice1cost_change_1_2) mod 4096;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_0_choice := 0;
+      else
+        slice1cost_column_0_0_choice := slice1cost_ready_words_0 mod 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_1_choice := 0;
+      else
+        slice1cost_column_0_1_choice := slice1cost_ready_words_0 / 4096;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_2_choice := 0;
+      else
+        slice1cost_column_0_2_choice := slice1cost_ready_words_1;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_1_0_choice := 0;
+      else
+        slice1cost_column_1_0_choice := (slice1cost_column_0_0_choice + slice1cost_change_1_0) mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_1_1_choice := 0;
+      else
+        slice1cost_column_1_1_choice := (slice1cost_column_0_1_choice + slice1cost_change_1_1) mod 4096;
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_1_2_choice := 0;
+      else
+        slice1cost_column_1_2_choice := (slice1cost_column_0_2_choice + slice1cost_change_1_2) mod 4096;
+      end if;
       slice1cost_pixels_first_0_0 <= slice1shift_search_0_0 - slice1shift_reference_0;
       slice1cost_pixels_first_0_1 <= slice1shift_search_0_1 - slice1shift_reference_0;
       slice1cost_pixels_first_0_2 <= slice1shift_search_0_2 - slice1shift_reference_0;
@@ -1037,25 +1301,31 @@ begin
       slice1cost_ready_words_0 <= to_integer(slice1cost_read_words_0);
       slice1cost_ready_words_1 <= to_integer(slice1cost_read_words_1);
       slice1cost_ready_column <= slice1cost_change_column;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else (slice1cost_column_0_0_choice +
-        slice1cost_change_0_0) mod 4096;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else (slice1cost_column_0_1_choice +
-        slice1cost_change_0_1) mod 4096;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else (slice1cost_column_0_2_choice +
-        slice1cost_change_0_2) mod 4096;
       slice1cost_column_1_0 <= slice1cost_column_1_0_choice;
       slice1cost_column_1_1 <= slice1cost_column_1_1_choice;
       slice1cost_column_1_2 <= slice1cost_column_1_2_choice;
       slice1cost_write_column <= slice0cost_write_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+      else
+        slice1cost_column_0_0 <= (slice1cost_column_0_0_choice + slice1cost_change_0_0) mod 4096;
+        slice1cost_column_0_1 <= (slice1cost_column_0_1_choice + slice1cost_change_0_1) mod 4096;
+        slice1cost_column_0_2 <= (slice1cost_column_0_2_choice + slice1cost_change_0_2) mod 4096;
+      end if;
       if slice0cost_tag_valid then
         slice1cost_write_words_0 <= (slice1cost_column_1_1_choice * 4096) + slice1cost_column_1_0_choice;
         slice1cost_write_words_1 <= slice1cost_column_1_2_choice;
       end if;
       -- slice1window
       if slice0window_entering_tag_valid then
-        slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 9 else
-          (slice1window_ring_read_address + 1) mod 16;
         slice1window_ring_write_address <= slice1window_ring_read_address;
+        if slice1window_ring_read_address = 9 then
+          slice1window_ring_read_address <= 0;
+        else
+          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice0window_change_tag_leaves_window then
         slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(11 downto 0));
@@ -1104,12 +1374,36 @@ begin
       slice1window_centre_first_column_0 <= slice0window_centre_first_column_0;
       slice1window_centre_start_of_frame_0 <= slice0window_centre_start_of_frame_0;
       slice1window_centre_end_of_line_0 <= slice0window_centre_end_of_line_0;
-      slice1window_sum_0_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_0;
-      slice1window_sum_0_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_1;
-      slice1window_sum_0_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_2;
-      slice1window_sum_1_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_1_0;
-      slice1window_sum_1_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_1_1;
-      slice1window_sum_1_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_1_2;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_0_choice := 0;
+      else
+        slice1window_sum_0_0_choice := slice1window_sum_0_0;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_1_choice := 0;
+      else
+        slice1window_sum_0_1_choice := slice1window_sum_0_1;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_2_choice := 0;
+      else
+        slice1window_sum_0_2_choice := slice1window_sum_0_2;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_1_0_choice := 0;
+      else
+        slice1window_sum_1_0_choice := slice1window_sum_1_0;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_1_1_choice := 0;
+      else
+        slice1window_sum_1_1_choice := slice1window_sum_1_1;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_1_2_choice := 0;
+      else
+        slice1window_sum_1_2_choice := slice1window_sum_1_2;
+      end if;
       if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 32768;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 32768;
@@ -1125,43 +1419,73 @@ begin
         to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 15)) or (to_unsigned(slice1winner1_of_pair_0_1, 15))))) < 0;
       slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
         to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 15)) or (to_unsigned(slice1winner1_of_pair_1_1, 15))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
       slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
-      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
-      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
       slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
       slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
       slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
-      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
-      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
-      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
-        as_number(slice1winner1_pair_index_1_0);
       slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 15)) or
         (to_unsigned(slice1winner1_of_four_0_2, 15)))) or (to_unsigned(slice1winner1_of_four_0_0, 15))));
       slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 15)) or
         (to_unsigned(slice1winner1_of_four_1_2, 15)))) or (to_unsigned(slice1winner1_of_four_1_0, 15))));
       slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
       slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
+      if slice1winner1_of_pair_0_0_is_less then
+        slice1winner1_of_pair_0_0 <= 0;
+        slice1winner1_of_pair_0_1 <= slice1window_sum_0_1;
+      else
+        slice1winner1_of_pair_0_0 <= slice1window_sum_0_0;
+        slice1winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice1winner1_of_pair_1_0_is_less then
+        slice1winner1_of_pair_1_0 <= 0;
+        slice1winner1_of_pair_1_1 <= slice1window_sum_1_1;
+      else
+        slice1winner1_of_pair_1_0 <= slice1window_sum_1_0;
+        slice1winner1_of_pair_1_1 <= 0;
+      end if;
+      if slice1winner1_of_four_0_0_is_less then
+        slice1winner1_of_four_0_0 <= 0;
+        slice1winner1_of_four_0_1 <= 0;
+        slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2;
+        slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice1winner1_of_four_0_0 <= slice1winner1_of_pair_0_0;
+        slice1winner1_of_four_0_1 <= slice1winner1_of_pair_0_1;
+        slice1winner1_of_four_0_2 <= 0;
+        slice1winner1_four_index_0_0 <= as_number(slice1winner1_pair_index_0_0);
+      end if;
+      if slice1winner1_of_four_1_0_is_less then
+        slice1winner1_of_four_1_0 <= 0;
+        slice1winner1_of_four_1_1 <= 0;
+        slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2;
+        slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice1winner1_of_four_1_0 <= slice1winner1_of_pair_1_0;
+        slice1winner1_of_four_1_1 <= slice1winner1_of_pair_1_1;
+        slice1winner1_of_four_1_2 <= 0;
+        slice1winner1_four_index_1_0 <= as_number(slice1winner1_pair_index_1_0);
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
       slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner1_best_cost_1_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
-      slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1_best_index_0_0 <= (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
+      end if;
+      if slice1_best_cost_1_0_is_less then
+        slice1_best_cost_1_0 <= slice0_best_cost_1_0;
+        slice1_best_index_1_0 <= slice0_best_index_1_0;
+      else
+        slice1_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+        slice1_best_index_1_0 <= (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
+      end if;
       -- slice2shift
       if slice0cost_pixels_first_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -1180,13 +1504,26 @@ begin
       -- slice2cost
       slice2cost_change_0_0_difference := slice2cost_pixels_cost_2_0 - slice2cost_pixels_cost_0_0;
       slice2cost_change_0_1_difference := slice2cost_pixels_cost_2_1 - slice2cost_pixels_cost_0_1;
-      slice2cost_column_0_0_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 mod
-        4096;
-      slice2cost_column_0_1_choice := 0 when slice0window_entering_tag_first_group else slice2cost_ready_words_0 / 4096;
-      slice2cost_column_1_0_choice := 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_0_choice
-        + slice2cost_change_1_0) mod 4096;
-      slice2cost_column_1_1_choice := 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_1_choice
-        + slice2cost_change_1_1) mod 4096;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_0_choice := 0;
+      else
+        slice2cost_column_0_0_choice := slice2cost_ready_words_0 mod 4096;
+      end if;
+      if slice0window_entering_tag_first_group then
+        slice2cost_column_0_1_choice := 0;
+      else
+        slice2cost_column_0_1_choice := slice2cost_ready_words_0 / 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_1_0_choice := 0;
+      else
+        slice2cost_column_1_0_choice := (slice2cost_column_0_0_choice + slice2cost_change_1_0) mod 4096;
+      end if;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_1_1_choice := 0;
+      else
+        slice2cost_column_1_1_choice := (slice2cost_column_0_1_choice + slice2cost_change_1_1) mod 4096;
+      end if;
       slice2cost_pixels_first_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_pixels_first_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       slice2cost_pixels_first_1_0 <= slice2shift_search_1_0 - slice2shift_reference_1;
@@ -1219,12 +1556,15 @@ begin
       slice2cost_change_1_1 <= (slice2cost_pixels_cost_3_1 - slice2cost_pixels_cost_1_1) +
         slice2cost_change_0_1_difference;
       slice2cost_ready_words_0 <= to_integer(slice2cost_read_words_0);
-      slice2cost_column_0_0 <= 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_0_choice +
-        slice2cost_change_0_0) mod 4096;
-      slice2cost_column_0_1 <= 0 when slice0window_entering_tag_border_column else (slice2cost_column_0_1_choice +
-        slice2cost_change_0_1) mod 4096;
       slice2cost_column_1_0 <= slice2cost_column_1_0_choice;
       slice2cost_column_1_1 <= slice2cost_column_1_1_choice;
+      if slice0window_entering_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+      else
+        slice2cost_column_0_0 <= (slice2cost_column_0_0_choice + slice2cost_change_0_0) mod 4096;
+        slice2cost_column_0_1 <= (slice2cost_column_0_1_choice + slice2cost_change_0_1) mod 4096;
+      end if;
       if slice0cost_ready_tag_valid then
         slice2cost_change_column <= slice2cost_read_column;
       end if;
@@ -1237,9 +1577,12 @@ begin
       end if;
       -- slice2window
       if slice0window_change_tag_valid then
-        slice2window_ring_read_address <= 0 when slice2window_ring_read_address = 9 else
-          (slice2window_ring_read_address + 1) mod 16;
         slice2window_ring_write_address <= slice2window_ring_read_address;
+        if slice2window_ring_read_address = 9 then
+          slice2window_ring_read_address <= 0;
+        else
+          slice2window_ring_read_address <= (slice2window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice1window_change_tag_leaves_window then
         slice2window_change_0_0_choice := to_integer(slice2window_leaving_0(11 downto 0));
@@ -1269,10 +1612,26 @@ begin
       slice2window_change_0_1 <= slice2window_entering_0_1 - slice2window_change_0_1_choice;
       slice2window_change_1_0 <= slice2window_entering_1_0 - slice2window_change_1_0_choice;
       slice2window_change_1_1 <= slice2window_entering_1_1 - slice2window_change_1_1_choice;
-      slice2window_sum_0_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_0;
-      slice2window_sum_0_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_0_1;
-      slice2window_sum_1_0_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_1_0;
-      slice2window_sum_1_1_choice := 0 when slice1window_centre_first_column_0 else slice2window_sum_1_1;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_0_choice := 0;
+      else
+        slice2window_sum_0_0_choice := slice2window_sum_0_0;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_0_1_choice := 0;
+      else
+        slice2window_sum_0_1_choice := slice2window_sum_0_1;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_1_0_choice := 0;
+      else
+        slice2window_sum_1_0_choice := slice2window_sum_1_0;
+      end if;
+      if slice1window_centre_first_column_0 then
+        slice2window_sum_1_1_choice := 0;
+      else
+        slice2window_sum_1_1_choice := slice2window_sum_1_1;
+      end if;
       if slice0winner1_pair_tag_valid then
         slice2window_sum_0_0 <= (slice2window_sum_0_0_choice + slice2window_change_0_0) mod 32768;
         slice2window_sum_0_1 <= (slice2window_sum_0_1_choice + slice2window_change_0_1) mod 32768;
@@ -1290,12 +1649,18 @@ begin
       -- slice2winner1
       slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
-        slice2window_sum_1_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
+      if slice2winner1_best_cost_1_0_is_less then
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_1;
+      else
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_0;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
@@ -1307,14 +1672,20 @@ begin
       slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
       slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
-        as_number(slice2winner3_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 else
-        as_number(slice2winner3_best_index_1_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 then
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      else
+        slice2_best_index_0_0 <= as_number(slice2winner3_best_index_0_0);
+      end if;
+      if (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 then
+        slice2_best_index_1_0 <= slice1_best_index_1_0;
+      else
+        slice2_best_index_1_0 <= as_number(slice2winner3_best_index_1_0);
+      end if;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;

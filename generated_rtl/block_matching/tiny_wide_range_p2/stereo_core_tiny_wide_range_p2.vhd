@@ -427,44 +427,62 @@ architecture rtl of stereo_core_tiny_wide_range_p2 is
   signal slice1_best_index_0_0, slice1_best_index_1_0 : natural range 0 to 27;
   signal slice1_best_tag_valid, slice1_best_tag_output_column, slice1_best_tag_start_of_frame : boolean;
   signal slice1_best_tag_end_of_line : boolean;
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(4 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(4 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(15 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned(slice1_best_index_1_0, 8) & to_unsigned(slice1_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(3, 2));
   disparity_valid <= as_bit(slice1_best_tag_valid and slice1_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice1_best_tag_start_of_frame and slice1_best_tag_valid and slice1_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice1_best_tag_end_of_line and slice1_best_tag_valid and slice1_best_tag_output_column);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 5);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 5);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference, 16);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 28, width => 16)
+    generic map (depth => 28, width => 16, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
@@ -504,38 +522,70 @@ begin
       raster_place_group_is_equal := raster_place_column = 31;
       raster_place_group_is_equal_2 := raster_place_group = 5;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
-      raster_place_group_choice_2 := 1 when raster_place_next_frame and (raster_place_group = 6) else
-        (raster_place_group + 1) mod 8;
-      raster_place_group_choice_3 := raster_place_group_choice_2 when raster_place_group_is_equal and
-        (raster_place_group /= 7) and in_valid else raster_place_group;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 6) then
+        raster_place_group_choice_2 := 1;
+      else
+        raster_place_group_choice_2 := (raster_place_group + 1) mod 8;
+      end if;
+      if raster_place_group_is_equal and (raster_place_group /= 7) and in_valid then
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      else
+        raster_place_group_choice_3 := raster_place_group;
+      end if;
       raster_features_search_0 <= in_left_pixel mod 256;
       raster_features_search_1 <= in_left_pixel / 256;
       raster_features_reference <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 2 when in_valid and in_start_of_frame else
-        raster_place_group_choice_3;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        (raster_place_group / 2) = 3 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
-        raster_place_next_frame;
+      if in_valid and in_start_of_frame then
+        raster_place_group <= raster_place_group_choice * 2;
+      else
+        raster_place_group <= raster_place_group_choice_3;
+      end if;
+      if (raster_place_group / 2) = 3 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 32;
-        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame;
+        if raster_place_group_is_equal or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
+        if raster_place_next_frame_choice_2 then
+          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
+        else
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 27 else (delay_ring_read_address + 1) mod 32;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 27 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 32;
+        end if;
       end if;
       delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
       delay_row_inside_0_any := ((raster_place_group / 4) = 1) or delay_row_inside_0_value;
       delay_row_inside_1_any := (not ((raster_place_group / 4) = 1)) or (not delay_row_inside_0_value);
-      delay_row_inside_1_choice := delay_row_inside_1_any when (raster_place_group mod 2) = 1 else
-        delay_row_inside_0_any;
+      if (raster_place_group mod 2) = 1 then
+        delay_row_inside_1_choice := delay_row_inside_1_any;
+      else
+        delay_row_inside_1_choice := delay_row_inside_0_any;
+      end if;
       delay_ahead_0 <= raster_features_search_0;
       delay_ahead_1 <= raster_features_search_1;
       delay_column <= raster_place_column;
@@ -578,19 +628,36 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_search_1 <= (rows_search_rows_ready_words_0 / 256) mod 256 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_words_0 / 65536 when rows_ready_inside_1 else 0;
-      rows_search_3 <= rows_search_rows_ready_newest_0 when rows_ready_inside_3 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= (rows_reference_rows_ready_words_0 / 256) mod 256 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_words_0 / 65536 when rows_ready_inside_1 else 0;
-      rows_reference_3 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_3 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 256;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= (rows_search_rows_ready_words_0 / 256) mod 256;
+        rows_search_2 <= rows_search_rows_ready_words_0 / 65536;
+        rows_reference_1 <= (rows_reference_rows_ready_words_0 / 256) mod 256;
+        rows_reference_2 <= rows_reference_rows_ready_words_0 / 65536;
+      else
+        rows_search_1 <= 0;
+        rows_search_2 <= 0;
+        rows_reference_1 <= 0;
+        rows_reference_2 <= 0;
+      end if;
+      if rows_ready_inside_3 then
+        rows_search_3 <= rows_search_rows_ready_newest_0;
+        rows_reference_3 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_3 <= 0;
+        rows_reference_3 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 65536) + (rows_search_rows_ready_newest_0 *
           256) + (rows_search_rows_ready_newest_1 * 65536);
@@ -980,111 +1047,114 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
-        as_number(slice0cost_negative_0_3) + slice0cost_single_0_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
-        as_number(slice0cost_negative_0_4) + slice0cost_single_0_4;
-      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_5 +
-        as_number(slice0cost_negative_0_5) + slice0cost_single_0_5;
-      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_6 +
-        as_number(slice0cost_negative_0_6) + slice0cost_single_0_6;
-      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_7 +
-        as_number(slice0cost_negative_0_7) + slice0cost_single_0_7;
-      slice0cost_column_0_8 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_8 +
-        as_number(slice0cost_negative_0_8) + slice0cost_single_0_8;
-      slice0cost_column_0_9 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_9 +
-        as_number(slice0cost_negative_0_9) + slice0cost_single_0_9;
-      slice0cost_column_0_10 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_10 +
-        as_number(slice0cost_negative_0_10) + slice0cost_single_0_10;
-      slice0cost_column_0_11 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_11 +
-        as_number(slice0cost_negative_0_11) + slice0cost_single_0_11;
-      slice0cost_column_0_12 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_12 +
-        as_number(slice0cost_negative_0_12) + slice0cost_single_0_12;
-      slice0cost_column_0_13 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_13 +
-        as_number(slice0cost_negative_0_13) + slice0cost_single_0_13;
-      slice0cost_column_0_14 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_14 +
-        as_number(slice0cost_negative_0_14) + slice0cost_single_0_14;
-      slice0cost_column_0_15 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_15 +
-        as_number(slice0cost_negative_0_15) + slice0cost_single_0_15;
-      slice0cost_column_0_16 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_16 +
-        as_number(slice0cost_negative_0_16) + slice0cost_single_0_16;
-      slice0cost_column_0_17 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_17 +
-        as_number(slice0cost_negative_0_17) + slice0cost_single_0_17;
-      slice0cost_column_0_18 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_18 +
-        as_number(slice0cost_negative_0_18) + slice0cost_single_0_18;
-      slice0cost_column_0_19 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_19 +
-        as_number(slice0cost_negative_0_19) + slice0cost_single_0_19;
-      slice0cost_column_0_20 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_20 +
-        as_number(slice0cost_negative_0_20) + slice0cost_single_0_20;
-      slice0cost_column_0_21 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_21 +
-        as_number(slice0cost_negative_0_21) + slice0cost_single_0_21;
-      slice0cost_column_0_22 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_22 +
-        as_number(slice0cost_negative_0_22) + slice0cost_single_0_22;
-      slice0cost_column_0_23 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_23 +
-        as_number(slice0cost_negative_0_23) + slice0cost_single_0_23;
-      slice0cost_column_0_24 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_24 +
-        as_number(slice0cost_negative_0_24) + slice0cost_single_0_24;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
-      slice0cost_column_1_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
-        as_number(slice0cost_negative_0_3) + slice0cost_single_3_3;
-      slice0cost_column_1_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
-        as_number(slice0cost_negative_0_4) + slice0cost_single_3_4;
-      slice0cost_column_1_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_5 +
-        as_number(slice0cost_negative_0_5) + slice0cost_single_3_5;
-      slice0cost_column_1_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_6 +
-        as_number(slice0cost_negative_0_6) + slice0cost_single_3_6;
-      slice0cost_column_1_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_7 +
-        as_number(slice0cost_negative_0_7) + slice0cost_single_3_7;
-      slice0cost_column_1_8 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_8 +
-        as_number(slice0cost_negative_0_8) + slice0cost_single_3_8;
-      slice0cost_column_1_9 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_9 +
-        as_number(slice0cost_negative_0_9) + slice0cost_single_3_9;
-      slice0cost_column_1_10 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_10 +
-        as_number(slice0cost_negative_0_10) + slice0cost_single_3_10;
-      slice0cost_column_1_11 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_11 +
-        as_number(slice0cost_negative_0_11) + slice0cost_single_3_11;
-      slice0cost_column_1_12 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_12 +
-        as_number(slice0cost_negative_0_12) + slice0cost_single_3_12;
-      slice0cost_column_1_13 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_13 +
-        as_number(slice0cost_negative_0_13) + slice0cost_single_3_13;
-      slice0cost_column_1_14 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_14 +
-        as_number(slice0cost_negative_0_14) + slice0cost_single_3_14;
-      slice0cost_column_1_15 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_15 +
-        as_number(slice0cost_negative_0_15) + slice0cost_single_3_15;
-      slice0cost_column_1_16 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_16 +
-        as_number(slice0cost_negative_0_16) + slice0cost_single_3_16;
-      slice0cost_column_1_17 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_17 +
-        as_number(slice0cost_negative_0_17) + slice0cost_single_3_17;
-      slice0cost_column_1_18 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_18 +
-        as_number(slice0cost_negative_0_18) + slice0cost_single_3_18;
-      slice0cost_column_1_19 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_19 +
-        as_number(slice0cost_negative_0_19) + slice0cost_single_3_19;
-      slice0cost_column_1_20 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_20 +
-        as_number(slice0cost_negative_0_20) + slice0cost_single_3_20;
-      slice0cost_column_1_21 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_21 +
-        as_number(slice0cost_negative_0_21) + slice0cost_single_3_21;
-      slice0cost_column_1_22 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_22 +
-        as_number(slice0cost_negative_0_22) + slice0cost_single_3_22;
-      slice0cost_column_1_23 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_23 +
-        as_number(slice0cost_negative_0_23) + slice0cost_single_3_23;
-      slice0cost_column_1_24 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_24 +
-        as_number(slice0cost_negative_0_24) + slice0cost_single_3_24;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+        slice0cost_column_0_5 <= 0;
+        slice0cost_column_0_6 <= 0;
+        slice0cost_column_0_7 <= 0;
+        slice0cost_column_0_8 <= 0;
+        slice0cost_column_0_9 <= 0;
+        slice0cost_column_0_10 <= 0;
+        slice0cost_column_0_11 <= 0;
+        slice0cost_column_0_12 <= 0;
+        slice0cost_column_0_13 <= 0;
+        slice0cost_column_0_14 <= 0;
+        slice0cost_column_0_15 <= 0;
+        slice0cost_column_0_16 <= 0;
+        slice0cost_column_0_17 <= 0;
+        slice0cost_column_0_18 <= 0;
+        slice0cost_column_0_19 <= 0;
+        slice0cost_column_0_20 <= 0;
+        slice0cost_column_0_21 <= 0;
+        slice0cost_column_0_22 <= 0;
+        slice0cost_column_0_23 <= 0;
+        slice0cost_column_0_24 <= 0;
+        slice0cost_column_1_0 <= 0;
+        slice0cost_column_1_1 <= 0;
+        slice0cost_column_1_2 <= 0;
+        slice0cost_column_1_3 <= 0;
+        slice0cost_column_1_4 <= 0;
+        slice0cost_column_1_5 <= 0;
+        slice0cost_column_1_6 <= 0;
+        slice0cost_column_1_7 <= 0;
+        slice0cost_column_1_8 <= 0;
+        slice0cost_column_1_9 <= 0;
+        slice0cost_column_1_10 <= 0;
+        slice0cost_column_1_11 <= 0;
+        slice0cost_column_1_12 <= 0;
+        slice0cost_column_1_13 <= 0;
+        slice0cost_column_1_14 <= 0;
+        slice0cost_column_1_15 <= 0;
+        slice0cost_column_1_16 <= 0;
+        slice0cost_column_1_17 <= 0;
+        slice0cost_column_1_18 <= 0;
+        slice0cost_column_1_19 <= 0;
+        slice0cost_column_1_20 <= 0;
+        slice0cost_column_1_21 <= 0;
+        slice0cost_column_1_22 <= 0;
+        slice0cost_column_1_23 <= 0;
+        slice0cost_column_1_24 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
+        slice0cost_column_0_3 <= slice0cost_pair_0_3 + as_number(slice0cost_negative_0_3) + slice0cost_single_0_3;
+        slice0cost_column_0_4 <= slice0cost_pair_0_4 + as_number(slice0cost_negative_0_4) + slice0cost_single_0_4;
+        slice0cost_column_0_5 <= slice0cost_pair_0_5 + as_number(slice0cost_negative_0_5) + slice0cost_single_0_5;
+        slice0cost_column_0_6 <= slice0cost_pair_0_6 + as_number(slice0cost_negative_0_6) + slice0cost_single_0_6;
+        slice0cost_column_0_7 <= slice0cost_pair_0_7 + as_number(slice0cost_negative_0_7) + slice0cost_single_0_7;
+        slice0cost_column_0_8 <= slice0cost_pair_0_8 + as_number(slice0cost_negative_0_8) + slice0cost_single_0_8;
+        slice0cost_column_0_9 <= slice0cost_pair_0_9 + as_number(slice0cost_negative_0_9) + slice0cost_single_0_9;
+        slice0cost_column_0_10 <= slice0cost_pair_0_10 + as_number(slice0cost_negative_0_10) + slice0cost_single_0_10;
+        slice0cost_column_0_11 <= slice0cost_pair_0_11 + as_number(slice0cost_negative_0_11) + slice0cost_single_0_11;
+        slice0cost_column_0_12 <= slice0cost_pair_0_12 + as_number(slice0cost_negative_0_12) + slice0cost_single_0_12;
+        slice0cost_column_0_13 <= slice0cost_pair_0_13 + as_number(slice0cost_negative_0_13) + slice0cost_single_0_13;
+        slice0cost_column_0_14 <= slice0cost_pair_0_14 + as_number(slice0cost_negative_0_14) + slice0cost_single_0_14;
+        slice0cost_column_0_15 <= slice0cost_pair_0_15 + as_number(slice0cost_negative_0_15) + slice0cost_single_0_15;
+        slice0cost_column_0_16 <= slice0cost_pair_0_16 + as_number(slice0cost_negative_0_16) + slice0cost_single_0_16;
+        slice0cost_column_0_17 <= slice0cost_pair_0_17 + as_number(slice0cost_negative_0_17) + slice0cost_single_0_17;
+        slice0cost_column_0_18 <= slice0cost_pair_0_18 + as_number(slice0cost_negative_0_18) + slice0cost_single_0_18;
+        slice0cost_column_0_19 <= slice0cost_pair_0_19 + as_number(slice0cost_negative_0_19) + slice0cost_single_0_19;
+        slice0cost_column_0_20 <= slice0cost_pair_0_20 + as_number(slice0cost_negative_0_20) + slice0cost_single_0_20;
+        slice0cost_column_0_21 <= slice0cost_pair_0_21 + as_number(slice0cost_negative_0_21) + slice0cost_single_0_21;
+        slice0cost_column_0_22 <= slice0cost_pair_0_22 + as_number(slice0cost_negative_0_22) + slice0cost_single_0_22;
+        slice0cost_column_0_23 <= slice0cost_pair_0_23 + as_number(slice0cost_negative_0_23) + slice0cost_single_0_23;
+        slice0cost_column_0_24 <= slice0cost_pair_0_24 + as_number(slice0cost_negative_0_24) + slice0cost_single_0_24;
+        slice0cost_column_1_0 <= slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
+        slice0cost_column_1_1 <= slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
+        slice0cost_column_1_2 <= slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
+        slice0cost_column_1_3 <= slice0cost_pair_0_3 + as_number(slice0cost_negative_0_3) + slice0cost_single_3_3;
+        slice0cost_column_1_4 <= slice0cost_pair_0_4 + as_number(slice0cost_negative_0_4) + slice0cost_single_3_4;
+        slice0cost_column_1_5 <= slice0cost_pair_0_5 + as_number(slice0cost_negative_0_5) + slice0cost_single_3_5;
+        slice0cost_column_1_6 <= slice0cost_pair_0_6 + as_number(slice0cost_negative_0_6) + slice0cost_single_3_6;
+        slice0cost_column_1_7 <= slice0cost_pair_0_7 + as_number(slice0cost_negative_0_7) + slice0cost_single_3_7;
+        slice0cost_column_1_8 <= slice0cost_pair_0_8 + as_number(slice0cost_negative_0_8) + slice0cost_single_3_8;
+        slice0cost_column_1_9 <= slice0cost_pair_0_9 + as_number(slice0cost_negative_0_9) + slice0cost_single_3_9;
+        slice0cost_column_1_10 <= slice0cost_pair_0_10 + as_number(slice0cost_negative_0_10) + slice0cost_single_3_10;
+        slice0cost_column_1_11 <= slice0cost_pair_0_11 + as_number(slice0cost_negative_0_11) + slice0cost_single_3_11;
+        slice0cost_column_1_12 <= slice0cost_pair_0_12 + as_number(slice0cost_negative_0_12) + slice0cost_single_3_12;
+        slice0cost_column_1_13 <= slice0cost_pair_0_13 + as_number(slice0cost_negative_0_13) + slice0cost_single_3_13;
+        slice0cost_column_1_14 <= slice0cost_pair_0_14 + as_number(slice0cost_negative_0_14) + slice0cost_single_3_14;
+        slice0cost_column_1_15 <= slice0cost_pair_0_15 + as_number(slice0cost_negative_0_15) + slice0cost_single_3_15;
+        slice0cost_column_1_16 <= slice0cost_pair_0_16 + as_number(slice0cost_negative_0_16) + slice0cost_single_3_16;
+        slice0cost_column_1_17 <= slice0cost_pair_0_17 + as_number(slice0cost_negative_0_17) + slice0cost_single_3_17;
+        slice0cost_column_1_18 <= slice0cost_pair_0_18 + as_number(slice0cost_negative_0_18) + slice0cost_single_3_18;
+        slice0cost_column_1_19 <= slice0cost_pair_0_19 + as_number(slice0cost_negative_0_19) + slice0cost_single_3_19;
+        slice0cost_column_1_20 <= slice0cost_pair_0_20 + as_number(slice0cost_negative_0_20) + slice0cost_single_3_20;
+        slice0cost_column_1_21 <= slice0cost_pair_0_21 + as_number(slice0cost_negative_0_21) + slice0cost_single_3_21;
+        slice0cost_column_1_22 <= slice0cost_pair_0_22 + as_number(slice0cost_negative_0_22) + slice0cost_single_3_22;
+        slice0cost_column_1_23 <= slice0cost_pair_0_23 + as_number(slice0cost_negative_0_23) + slice0cost_single_3_23;
+        slice0cost_column_1_24 <= slice0cost_pair_0_24 + as_number(slice0cost_negative_0_24) + slice0cost_single_3_24;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -1272,85 +1342,179 @@ begin
       slice0winner1_best_cost_1_9_is_less := (slice0window_sum_1_19 - slice0window_sum_1_18) < 0;
       slice0winner1_best_cost_1_10_is_less := (slice0window_sum_1_21 - slice0window_sum_1_20) < 0;
       slice0winner1_best_cost_1_11_is_less := (slice0window_sum_1_23 - slice0window_sum_1_22) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
-        slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
-        slice0window_sum_0_10;
-      slice0winner1_best_cost_0_6 <= slice0window_sum_0_13 when slice0winner1_best_cost_0_6_is_less else
-        slice0window_sum_0_12;
-      slice0winner1_best_cost_0_7 <= slice0window_sum_0_15 when slice0winner1_best_cost_0_7_is_less else
-        slice0window_sum_0_14;
-      slice0winner1_best_cost_0_8 <= slice0window_sum_0_17 when slice0winner1_best_cost_0_8_is_less else
-        slice0window_sum_0_16;
-      slice0winner1_best_cost_0_9 <= slice0window_sum_0_19 when slice0winner1_best_cost_0_9_is_less else
-        slice0window_sum_0_18;
-      slice0winner1_best_cost_0_10 <= slice0window_sum_0_21 when slice0winner1_best_cost_0_10_is_less else
-        slice0window_sum_0_20;
-      slice0winner1_best_cost_0_11 <= slice0window_sum_0_23 when slice0winner1_best_cost_0_11_is_less else
-        slice0window_sum_0_22;
       slice0winner1_best_cost_0_12 <= slice0window_sum_0_24;
-      slice0winner1_best_cost_1_0 <= slice0window_sum_1_1 when slice0winner1_best_cost_1_0_is_less else
-        slice0window_sum_1_0;
-      slice0winner1_best_cost_1_1 <= slice0window_sum_1_3 when slice0winner1_best_cost_1_1_is_less else
-        slice0window_sum_1_2;
-      slice0winner1_best_cost_1_2 <= slice0window_sum_1_5 when slice0winner1_best_cost_1_2_is_less else
-        slice0window_sum_1_4;
-      slice0winner1_best_cost_1_3 <= slice0window_sum_1_7 when slice0winner1_best_cost_1_3_is_less else
-        slice0window_sum_1_6;
-      slice0winner1_best_cost_1_4 <= slice0window_sum_1_9 when slice0winner1_best_cost_1_4_is_less else
-        slice0window_sum_1_8;
-      slice0winner1_best_cost_1_5 <= slice0window_sum_1_11 when slice0winner1_best_cost_1_5_is_less else
-        slice0window_sum_1_10;
-      slice0winner1_best_cost_1_6 <= slice0window_sum_1_13 when slice0winner1_best_cost_1_6_is_less else
-        slice0window_sum_1_12;
-      slice0winner1_best_cost_1_7 <= slice0window_sum_1_15 when slice0winner1_best_cost_1_7_is_less else
-        slice0window_sum_1_14;
-      slice0winner1_best_cost_1_8 <= slice0window_sum_1_17 when slice0winner1_best_cost_1_8_is_less else
-        slice0window_sum_1_16;
-      slice0winner1_best_cost_1_9 <= slice0window_sum_1_19 when slice0winner1_best_cost_1_9_is_less else
-        slice0window_sum_1_18;
-      slice0winner1_best_cost_1_10 <= slice0window_sum_1_21 when slice0winner1_best_cost_1_10_is_less else
-        slice0window_sum_1_20;
-      slice0winner1_best_cost_1_11 <= slice0window_sum_1_23 when slice0winner1_best_cost_1_11_is_less else
-        slice0window_sum_1_22;
       slice0winner1_best_cost_1_12 <= slice0window_sum_1_24;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
-      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
-      slice0winner1_best_index_0_6 <= 13 when slice0winner1_best_cost_0_6_is_less else 12;
-      slice0winner1_best_index_0_7 <= 15 when slice0winner1_best_cost_0_7_is_less else 14;
-      slice0winner1_best_index_0_8 <= 17 when slice0winner1_best_cost_0_8_is_less else 16;
-      slice0winner1_best_index_0_9 <= 19 when slice0winner1_best_cost_0_9_is_less else 18;
-      slice0winner1_best_index_0_10 <= 21 when slice0winner1_best_cost_0_10_is_less else 20;
-      slice0winner1_best_index_0_11 <= 23 when slice0winner1_best_cost_0_11_is_less else 22;
       slice0winner1_best_index_0_12 <= 24;
       slice0winner1_best_index_1_0 <= slice0winner1_best_cost_1_0_is_less;
-      slice0winner1_best_index_1_1 <= 3 when slice0winner1_best_cost_1_1_is_less else 2;
-      slice0winner1_best_index_1_2 <= 5 when slice0winner1_best_cost_1_2_is_less else 4;
-      slice0winner1_best_index_1_3 <= 7 when slice0winner1_best_cost_1_3_is_less else 6;
-      slice0winner1_best_index_1_4 <= 9 when slice0winner1_best_cost_1_4_is_less else 8;
-      slice0winner1_best_index_1_5 <= 11 when slice0winner1_best_cost_1_5_is_less else 10;
-      slice0winner1_best_index_1_6 <= 13 when slice0winner1_best_cost_1_6_is_less else 12;
-      slice0winner1_best_index_1_7 <= 15 when slice0winner1_best_cost_1_7_is_less else 14;
-      slice0winner1_best_index_1_8 <= 17 when slice0winner1_best_cost_1_8_is_less else 16;
-      slice0winner1_best_index_1_9 <= 19 when slice0winner1_best_cost_1_9_is_less else 18;
-      slice0winner1_best_index_1_10 <= 21 when slice0winner1_best_cost_1_10_is_less else 20;
-      slice0winner1_best_index_1_11 <= 23 when slice0winner1_best_cost_1_11_is_less else 22;
       slice0winner1_tag_valid <= slice0window_tag_valid;
       slice0winner1_tag_output_column <= slice0window_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+      end if;
+      if slice0winner1_best_cost_0_1_is_less then
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_index_0_1 <= 3;
+      else
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_index_0_1 <= 2;
+      end if;
+      if slice0winner1_best_cost_0_2_is_less then
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_index_0_2 <= 5;
+      else
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_index_0_2 <= 4;
+      end if;
+      if slice0winner1_best_cost_0_3_is_less then
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+        slice0winner1_best_index_0_3 <= 7;
+      else
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_index_0_3 <= 6;
+      end if;
+      if slice0winner1_best_cost_0_4_is_less then
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_9;
+        slice0winner1_best_index_0_4 <= 9;
+      else
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_8;
+        slice0winner1_best_index_0_4 <= 8;
+      end if;
+      if slice0winner1_best_cost_0_5_is_less then
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_11;
+        slice0winner1_best_index_0_5 <= 11;
+      else
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_10;
+        slice0winner1_best_index_0_5 <= 10;
+      end if;
+      if slice0winner1_best_cost_0_6_is_less then
+        slice0winner1_best_cost_0_6 <= slice0window_sum_0_13;
+        slice0winner1_best_index_0_6 <= 13;
+      else
+        slice0winner1_best_cost_0_6 <= slice0window_sum_0_12;
+        slice0winner1_best_index_0_6 <= 12;
+      end if;
+      if slice0winner1_best_cost_0_7_is_less then
+        slice0winner1_best_cost_0_7 <= slice0window_sum_0_15;
+        slice0winner1_best_index_0_7 <= 15;
+      else
+        slice0winner1_best_cost_0_7 <= slice0window_sum_0_14;
+        slice0winner1_best_index_0_7 <= 14;
+      end if;
+      if slice0winner1_best_cost_0_8_is_less then
+        slice0winner1_best_cost_0_8 <= slice0window_sum_0_17;
+        slice0winner1_best_index_0_8 <= 17;
+      else
+        slice0winner1_best_cost_0_8 <= slice0window_sum_0_16;
+        slice0winner1_best_index_0_8 <= 16;
+      end if;
+      if slice0winner1_best_cost_0_9_is_less then
+        slice0winner1_best_cost_0_9 <= slice0window_sum_0_19;
+        slice0winner1_best_index_0_9 <= 19;
+      else
+        slice0winner1_best_cost_0_9 <= slice0window_sum_0_18;
+        slice0winner1_best_index_0_9 <= 18;
+      end if;
+      if slice0winner1_best_cost_0_10_is_less then
+        slice0winner1_best_cost_0_10 <= slice0window_sum_0_21;
+        slice0winner1_best_index_0_10 <= 21;
+      else
+        slice0winner1_best_cost_0_10 <= slice0window_sum_0_20;
+        slice0winner1_best_index_0_10 <= 20;
+      end if;
+      if slice0winner1_best_cost_0_11_is_less then
+        slice0winner1_best_cost_0_11 <= slice0window_sum_0_23;
+        slice0winner1_best_index_0_11 <= 23;
+      else
+        slice0winner1_best_cost_0_11 <= slice0window_sum_0_22;
+        slice0winner1_best_index_0_11 <= 22;
+      end if;
+      if slice0winner1_best_cost_1_0_is_less then
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_1;
+      else
+        slice0winner1_best_cost_1_0 <= slice0window_sum_1_0;
+      end if;
+      if slice0winner1_best_cost_1_1_is_less then
+        slice0winner1_best_cost_1_1 <= slice0window_sum_1_3;
+        slice0winner1_best_index_1_1 <= 3;
+      else
+        slice0winner1_best_cost_1_1 <= slice0window_sum_1_2;
+        slice0winner1_best_index_1_1 <= 2;
+      end if;
+      if slice0winner1_best_cost_1_2_is_less then
+        slice0winner1_best_cost_1_2 <= slice0window_sum_1_5;
+        slice0winner1_best_index_1_2 <= 5;
+      else
+        slice0winner1_best_cost_1_2 <= slice0window_sum_1_4;
+        slice0winner1_best_index_1_2 <= 4;
+      end if;
+      if slice0winner1_best_cost_1_3_is_less then
+        slice0winner1_best_cost_1_3 <= slice0window_sum_1_7;
+        slice0winner1_best_index_1_3 <= 7;
+      else
+        slice0winner1_best_cost_1_3 <= slice0window_sum_1_6;
+        slice0winner1_best_index_1_3 <= 6;
+      end if;
+      if slice0winner1_best_cost_1_4_is_less then
+        slice0winner1_best_cost_1_4 <= slice0window_sum_1_9;
+        slice0winner1_best_index_1_4 <= 9;
+      else
+        slice0winner1_best_cost_1_4 <= slice0window_sum_1_8;
+        slice0winner1_best_index_1_4 <= 8;
+      end if;
+      if slice0winner1_best_cost_1_5_is_less then
+        slice0winner1_best_cost_1_5 <= slice0window_sum_1_11;
+        slice0winner1_best_index_1_5 <= 11;
+      else
+        slice0winner1_best_cost_1_5 <= slice0window_sum_1_10;
+        slice0winner1_best_index_1_5 <= 10;
+      end if;
+      if slice0winner1_best_cost_1_6_is_less then
+        slice0winner1_best_cost_1_6 <= slice0window_sum_1_13;
+        slice0winner1_best_index_1_6 <= 13;
+      else
+        slice0winner1_best_cost_1_6 <= slice0window_sum_1_12;
+        slice0winner1_best_index_1_6 <= 12;
+      end if;
+      if slice0winner1_best_cost_1_7_is_less then
+        slice0winner1_best_cost_1_7 <= slice0window_sum_1_15;
+        slice0winner1_best_index_1_7 <= 15;
+      else
+        slice0winner1_best_cost_1_7 <= slice0window_sum_1_14;
+        slice0winner1_best_index_1_7 <= 14;
+      end if;
+      if slice0winner1_best_cost_1_8_is_less then
+        slice0winner1_best_cost_1_8 <= slice0window_sum_1_17;
+        slice0winner1_best_index_1_8 <= 17;
+      else
+        slice0winner1_best_cost_1_8 <= slice0window_sum_1_16;
+        slice0winner1_best_index_1_8 <= 16;
+      end if;
+      if slice0winner1_best_cost_1_9_is_less then
+        slice0winner1_best_cost_1_9 <= slice0window_sum_1_19;
+        slice0winner1_best_index_1_9 <= 19;
+      else
+        slice0winner1_best_cost_1_9 <= slice0window_sum_1_18;
+        slice0winner1_best_index_1_9 <= 18;
+      end if;
+      if slice0winner1_best_cost_1_10_is_less then
+        slice0winner1_best_cost_1_10 <= slice0window_sum_1_21;
+        slice0winner1_best_index_1_10 <= 21;
+      else
+        slice0winner1_best_cost_1_10 <= slice0window_sum_1_20;
+        slice0winner1_best_index_1_10 <= 20;
+      end if;
+      if slice0winner1_best_cost_1_11_is_less then
+        slice0winner1_best_cost_1_11 <= slice0window_sum_1_23;
+        slice0winner1_best_index_1_11 <= 23;
+      else
+        slice0winner1_best_cost_1_11 <= slice0window_sum_1_22;
+        slice0winner1_best_index_1_11 <= 22;
+      end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
@@ -1364,61 +1528,97 @@ begin
       slice0winner2_best_cost_1_3_is_less := (slice0winner1_best_cost_1_7 - slice0winner1_best_cost_1_6) < 0;
       slice0winner2_best_cost_1_4_is_less := (slice0winner1_best_cost_1_9 - slice0winner1_best_cost_1_8) < 0;
       slice0winner2_best_cost_1_5_is_less := (slice0winner1_best_cost_1_11 - slice0winner1_best_cost_1_10) < 0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_cost_0_4;
-      slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_cost_0_6;
-      slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9 when slice0winner2_best_cost_0_4_is_less else
-        slice0winner1_best_cost_0_8;
-      slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11 when slice0winner2_best_cost_0_5_is_less else
-        slice0winner1_best_cost_0_10;
       slice0winner2_best_cost_0_6 <= slice0winner1_best_cost_0_12;
-      slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1 when slice0winner2_best_cost_1_0_is_less else
-        slice0winner1_best_cost_1_0;
-      slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_3 when slice0winner2_best_cost_1_1_is_less else
-        slice0winner1_best_cost_1_2;
-      slice0winner2_best_cost_1_2 <= slice0winner1_best_cost_1_5 when slice0winner2_best_cost_1_2_is_less else
-        slice0winner1_best_cost_1_4;
-      slice0winner2_best_cost_1_3 <= slice0winner1_best_cost_1_7 when slice0winner2_best_cost_1_3_is_less else
-        slice0winner1_best_cost_1_6;
-      slice0winner2_best_cost_1_4 <= slice0winner1_best_cost_1_9 when slice0winner2_best_cost_1_4_is_less else
-        slice0winner1_best_cost_1_8;
-      slice0winner2_best_cost_1_5 <= slice0winner1_best_cost_1_11 when slice0winner2_best_cost_1_5_is_less else
-        slice0winner1_best_cost_1_10;
       slice0winner2_best_cost_1_6 <= slice0winner1_best_cost_1_12;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
-      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_index_0_4;
-      slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7 when slice0winner2_best_cost_0_3_is_less else
-        slice0winner1_best_index_0_6;
-      slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9 when slice0winner2_best_cost_0_4_is_less else
-        slice0winner1_best_index_0_8;
-      slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11 when slice0winner2_best_cost_0_5_is_less else
-        slice0winner1_best_index_0_10;
       slice0winner2_best_index_0_6 <= slice0winner1_best_index_0_12;
-      slice0winner2_best_index_1_0 <= slice0winner1_best_index_1_1 when slice0winner2_best_cost_1_0_is_less else
-        as_number(slice0winner1_best_index_1_0);
-      slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_3 when slice0winner2_best_cost_1_1_is_less else
-        slice0winner1_best_index_1_2;
-      slice0winner2_best_index_1_2 <= slice0winner1_best_index_1_5 when slice0winner2_best_cost_1_2_is_less else
-        slice0winner1_best_index_1_4;
-      slice0winner2_best_index_1_3 <= slice0winner1_best_index_1_7 when slice0winner2_best_cost_1_3_is_less else
-        slice0winner1_best_index_1_6;
-      slice0winner2_best_index_1_4 <= slice0winner1_best_index_1_9 when slice0winner2_best_cost_1_4_is_less else
-        slice0winner1_best_index_1_8;
-      slice0winner2_best_index_1_5 <= slice0winner1_best_index_1_11 when slice0winner2_best_cost_1_5_is_less else
-        slice0winner1_best_index_1_10;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+      end if;
+      if slice0winner2_best_cost_0_1_is_less then
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
+      else
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+      end if;
+      if slice0winner2_best_cost_0_2_is_less then
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5;
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
+      else
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
+      end if;
+      if slice0winner2_best_cost_0_3_is_less then
+        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_7;
+        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_7;
+      else
+        slice0winner2_best_cost_0_3 <= slice0winner1_best_cost_0_6;
+        slice0winner2_best_index_0_3 <= slice0winner1_best_index_0_6;
+      end if;
+      if slice0winner2_best_cost_0_4_is_less then
+        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_9;
+        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_9;
+      else
+        slice0winner2_best_cost_0_4 <= slice0winner1_best_cost_0_8;
+        slice0winner2_best_index_0_4 <= slice0winner1_best_index_0_8;
+      end if;
+      if slice0winner2_best_cost_0_5_is_less then
+        slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_11;
+        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_11;
+      else
+        slice0winner2_best_cost_0_5 <= slice0winner1_best_cost_0_10;
+        slice0winner2_best_index_0_5 <= slice0winner1_best_index_0_10;
+      end if;
+      if slice0winner2_best_cost_1_0_is_less then
+        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_1;
+        slice0winner2_best_index_1_0 <= slice0winner1_best_index_1_1;
+      else
+        slice0winner2_best_cost_1_0 <= slice0winner1_best_cost_1_0;
+        slice0winner2_best_index_1_0 <= as_number(slice0winner1_best_index_1_0);
+      end if;
+      if slice0winner2_best_cost_1_1_is_less then
+        slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_3;
+        slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_3;
+      else
+        slice0winner2_best_cost_1_1 <= slice0winner1_best_cost_1_2;
+        slice0winner2_best_index_1_1 <= slice0winner1_best_index_1_2;
+      end if;
+      if slice0winner2_best_cost_1_2_is_less then
+        slice0winner2_best_cost_1_2 <= slice0winner1_best_cost_1_5;
+        slice0winner2_best_index_1_2 <= slice0winner1_best_index_1_5;
+      else
+        slice0winner2_best_cost_1_2 <= slice0winner1_best_cost_1_4;
+        slice0winner2_best_index_1_2 <= slice0winner1_best_index_1_4;
+      end if;
+      if slice0winner2_best_cost_1_3_is_less then
+        slice0winner2_best_cost_1_3 <= slice0winner1_best_cost_1_7;
+        slice0winner2_best_index_1_3 <= slice0winner1_best_index_1_7;
+      else
+        slice0winner2_best_cost_1_3 <= slice0winner1_best_cost_1_6;
+        slice0winner2_best_index_1_3 <= slice0winner1_best_index_1_6;
+      end if;
+      if slice0winner2_best_cost_1_4_is_less then
+        slice0winner2_best_cost_1_4 <= slice0winner1_best_cost_1_9;
+        slice0winner2_best_index_1_4 <= slice0winner1_best_index_1_9;
+      else
+        slice0winner2_best_cost_1_4 <= slice0winner1_best_cost_1_8;
+        slice0winner2_best_index_1_4 <= slice0winner1_best_index_1_8;
+      end if;
+      if slice0winner2_best_cost_1_5_is_less then
+        slice0winner2_best_cost_1_5 <= slice0winner1_best_cost_1_11;
+        slice0winner2_best_index_1_5 <= slice0winner1_best_index_1_11;
+      else
+        slice0winner2_best_cost_1_5 <= slice0winner1_best_cost_1_10;
+        slice0winner2_best_index_1_5 <= slice0winner1_best_index_1_10;
+      end if;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
       slice0winner3_best_cost_0_1_is_less := (slice0winner2_best_cost_0_3 - slice0winner2_best_cost_0_2) < 0;
@@ -1426,77 +1626,113 @@ begin
       slice0winner3_best_cost_1_0_is_less := (slice0winner2_best_cost_1_1 - slice0winner2_best_cost_1_0) < 0;
       slice0winner3_best_cost_1_1_is_less := (slice0winner2_best_cost_1_3 - slice0winner2_best_cost_1_2) < 0;
       slice0winner3_best_cost_1_2_is_less := (slice0winner2_best_cost_1_5 - slice0winner2_best_cost_1_4) < 0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_cost_0_2;
-      slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5 when slice0winner3_best_cost_0_2_is_less else
-        slice0winner2_best_cost_0_4;
       slice0winner3_best_cost_0_3 <= slice0winner2_best_cost_0_6;
-      slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_1 when slice0winner3_best_cost_1_0_is_less else
-        slice0winner2_best_cost_1_0;
-      slice0winner3_best_cost_1_1 <= slice0winner2_best_cost_1_3 when slice0winner3_best_cost_1_1_is_less else
-        slice0winner2_best_cost_1_2;
-      slice0winner3_best_cost_1_2 <= slice0winner2_best_cost_1_5 when slice0winner3_best_cost_1_2_is_less else
-        slice0winner2_best_cost_1_4;
       slice0winner3_best_cost_1_3 <= slice0winner2_best_cost_1_6;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3 when slice0winner3_best_cost_0_1_is_less else
-        slice0winner2_best_index_0_2;
-      slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5 when slice0winner3_best_cost_0_2_is_less else
-        slice0winner2_best_index_0_4;
       slice0winner3_best_index_0_3 <= slice0winner2_best_index_0_6;
-      slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_1 when slice0winner3_best_cost_1_0_is_less else
-        slice0winner2_best_index_1_0;
-      slice0winner3_best_index_1_1 <= slice0winner2_best_index_1_3 when slice0winner3_best_cost_1_1_is_less else
-        slice0winner2_best_index_1_2;
-      slice0winner3_best_index_1_2 <= slice0winner2_best_index_1_5 when slice0winner3_best_cost_1_2_is_less else
-        slice0winner2_best_index_1_4;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      if slice0winner3_best_cost_0_0_is_less then
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+      end if;
+      if slice0winner3_best_cost_0_1_is_less then
+        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_3;
+        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_3;
+      else
+        slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
+        slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
+      end if;
+      if slice0winner3_best_cost_0_2_is_less then
+        slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_5;
+        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_5;
+      else
+        slice0winner3_best_cost_0_2 <= slice0winner2_best_cost_0_4;
+        slice0winner3_best_index_0_2 <= slice0winner2_best_index_0_4;
+      end if;
+      if slice0winner3_best_cost_1_0_is_less then
+        slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_1;
+        slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_1;
+      else
+        slice0winner3_best_cost_1_0 <= slice0winner2_best_cost_1_0;
+        slice0winner3_best_index_1_0 <= slice0winner2_best_index_1_0;
+      end if;
+      if slice0winner3_best_cost_1_1_is_less then
+        slice0winner3_best_cost_1_1 <= slice0winner2_best_cost_1_3;
+        slice0winner3_best_index_1_1 <= slice0winner2_best_index_1_3;
+      else
+        slice0winner3_best_cost_1_1 <= slice0winner2_best_cost_1_2;
+        slice0winner3_best_index_1_1 <= slice0winner2_best_index_1_2;
+      end if;
+      if slice0winner3_best_cost_1_2_is_less then
+        slice0winner3_best_cost_1_2 <= slice0winner2_best_cost_1_5;
+        slice0winner3_best_index_1_2 <= slice0winner2_best_index_1_5;
+      else
+        slice0winner3_best_cost_1_2 <= slice0winner2_best_cost_1_4;
+        slice0winner3_best_index_1_2 <= slice0winner2_best_index_1_4;
+      end if;
       -- slice0winner4
       slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
       slice0winner4_best_cost_0_1_is_less := (slice0winner3_best_cost_0_3 - slice0winner3_best_cost_0_2) < 0;
       slice0winner4_best_cost_1_0_is_less := (slice0winner3_best_cost_1_1 - slice0winner3_best_cost_1_0) < 0;
       slice0winner4_best_cost_1_1_is_less := (slice0winner3_best_cost_1_3 - slice0winner3_best_cost_1_2) < 0;
-      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_cost_0_0;
-      slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3 when slice0winner4_best_cost_0_1_is_less else
-        slice0winner3_best_cost_0_2;
-      slice0winner4_best_cost_1_0 <= slice0winner3_best_cost_1_1 when slice0winner4_best_cost_1_0_is_less else
-        slice0winner3_best_cost_1_0;
-      slice0winner4_best_cost_1_1 <= slice0winner3_best_cost_1_3 when slice0winner4_best_cost_1_1_is_less else
-        slice0winner3_best_cost_1_2;
-      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_index_0_0;
-      slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_0_1_is_less else
-        slice0winner3_best_index_0_2;
-      slice0winner4_best_index_1_0 <= slice0winner3_best_index_1_1 when slice0winner4_best_cost_1_0_is_less else
-        slice0winner3_best_index_1_0;
-      slice0winner4_best_index_1_1 <= slice0winner3_best_index_0_3 when slice0winner4_best_cost_1_1_is_less else
-        slice0winner3_best_index_1_2;
       slice0winner4_tag_valid <= slice0winner3_tag_valid;
       slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
       slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
       slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      if slice0winner4_best_cost_0_0_is_less then
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
+      else
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
+      end if;
+      if slice0winner4_best_cost_0_1_is_less then
+        slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_3;
+        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_3;
+      else
+        slice0winner4_best_cost_0_1 <= slice0winner3_best_cost_0_2;
+        slice0winner4_best_index_0_1 <= slice0winner3_best_index_0_2;
+      end if;
+      if slice0winner4_best_cost_1_0_is_less then
+        slice0winner4_best_cost_1_0 <= slice0winner3_best_cost_1_1;
+        slice0winner4_best_index_1_0 <= slice0winner3_best_index_1_1;
+      else
+        slice0winner4_best_cost_1_0 <= slice0winner3_best_cost_1_0;
+        slice0winner4_best_index_1_0 <= slice0winner3_best_index_1_0;
+      end if;
+      if slice0winner4_best_cost_1_1_is_less then
+        slice0winner4_best_cost_1_1 <= slice0winner3_best_cost_1_3;
+        slice0winner4_best_index_1_1 <= slice0winner3_best_index_0_3;
+      else
+        slice0winner4_best_cost_1_1 <= slice0winner3_best_cost_1_2;
+        slice0winner4_best_index_1_1 <= slice0winner3_best_index_1_2;
+      end if;
       -- slice0winner5
       slice0winner5_best_cost_0_0_is_less := (slice0winner4_best_cost_0_1 - slice0winner4_best_cost_0_0) < 0;
       slice0winner5_best_cost_1_0_is_less := (slice0winner4_best_cost_1_1 - slice0winner4_best_cost_1_0) < 0;
-      slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1 when slice0winner5_best_cost_0_0_is_less else
-        slice0winner4_best_cost_0_0;
-      slice0winner5_best_cost_1_0 <= slice0winner4_best_cost_1_1 when slice0winner5_best_cost_1_0_is_less else
-        slice0winner4_best_cost_1_0;
-      slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1 when slice0winner5_best_cost_0_0_is_less else
-        slice0winner4_best_index_0_0;
-      slice0winner5_best_index_1_0 <= slice0winner4_best_index_1_1 when slice0winner5_best_cost_1_0_is_less else
-        slice0winner4_best_index_1_0;
       slice0winner5_tag_valid <= slice0winner4_tag_valid;
       slice0winner5_tag_output_column <= slice0winner4_tag_output_column;
       slice0winner5_tag_start_of_frame <= slice0winner4_tag_start_of_frame;
       slice0winner5_tag_end_of_line <= slice0winner4_tag_end_of_line;
+      if slice0winner5_best_cost_0_0_is_less then
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_1;
+        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_1;
+      else
+        slice0winner5_best_cost_0_0 <= slice0winner4_best_cost_0_0;
+        slice0winner5_best_index_0_0 <= slice0winner4_best_index_0_0;
+      end if;
+      if slice0winner5_best_cost_1_0_is_less then
+        slice0winner5_best_cost_1_0 <= slice0winner4_best_cost_1_1;
+        slice0winner5_best_index_1_0 <= slice0winner4_best_index_1_1;
+      else
+        slice0winner5_best_cost_1_0 <= slice0winner4_best_cost_1_0;
+        slice0winner5_best_index_1_0 <= slice0winner4_best_index_1_0;
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner5_best_cost_0_0;
       slice0_best_cost_1_0 <= slice0winner5_best_cost_1_0;
@@ -1553,18 +1789,21 @@ begin
       slice1cost_single_3_0 <= (folded(slice1cost_difference_3_0) + as_number((slice1cost_difference_3_0 < 0))) mod 256;
       slice1cost_single_3_1 <= (folded(slice1cost_difference_3_1) + as_number((slice1cost_difference_3_1 < 0))) mod 256;
       slice1cost_single_3_2 <= (folded(slice1cost_difference_3_2) + as_number((slice1cost_difference_3_2 < 0))) mod 256;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
-        as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
-        as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
-        as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
-        as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
-        as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
-        as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_1_0 <= 0;
+        slice1cost_column_1_1 <= 0;
+        slice1cost_column_1_2 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
+        slice1cost_column_1_0 <= slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
+        slice1cost_column_1_1 <= slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
+        slice1cost_column_1_2 <= slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1589,26 +1828,38 @@ begin
       -- slice1winner1
       slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_best_cost_1_0_is_less := (slice1window_sum_1_1 - slice1window_sum_1_0) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
       slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
-      slice1winner1_best_cost_1_0 <= slice1window_sum_1_1 when slice1winner1_best_cost_1_0_is_less else
-        slice1window_sum_1_0;
       slice1winner1_best_cost_1_1 <= slice1window_sum_1_2;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
       slice1winner1_best_index_0_1 <= 2;
       slice1winner1_best_index_1_0 <= slice1winner1_best_cost_1_0_is_less;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+      end if;
+      if slice1winner1_best_cost_1_0_is_less then
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_1;
+      else
+        slice1winner1_best_cost_1_0 <= slice1window_sum_1_0;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_1_0_is_less := (slice1winner1_best_cost_1_1 - slice1winner1_best_cost_1_0) < 0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1 when slice1winner2_best_cost_1_0_is_less else
-        slice1winner1_best_cost_1_0;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_1_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_1_0_is_less else
-        as_number(slice1winner1_best_index_1_0);
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+      end if;
+      if slice1winner2_best_cost_1_0_is_less then
+        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_1;
+        slice1winner2_best_index_1_0 <= slice1winner1_best_index_0_1;
+      else
+        slice1winner2_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+        slice1winner2_best_index_1_0 <= as_number(slice1winner1_best_index_1_0);
+      end if;
       -- slice1winner3
       slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
       slice1winner3_best_cost_1_0 <= slice1winner2_best_cost_1_0;
@@ -1625,14 +1876,20 @@ begin
       slice1winner5_best_index_0_0 <= slice1winner4_best_index_0_0;
       slice1winner5_best_index_1_0 <= slice1winner4_best_index_1_0;
       -- slice1
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0 else
-        slice1winner5_best_index_0_0;
-      slice1_best_index_1_0 <= slice0_best_index_1_0 when (slice0_best_cost_1_0 - slice1winner5_best_cost_1_0) < 0 else
-        slice1winner5_best_index_1_0;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if (slice0_best_cost_0_0 - slice1winner5_best_cost_0_0) < 0 then
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_index_0_0 <= slice1winner5_best_index_0_0;
+      end if;
+      if (slice0_best_cost_1_0 - slice1winner5_best_cost_1_0) < 0 then
+        slice1_best_index_1_0 <= slice0_best_index_1_0;
+      else
+        slice1_best_index_1_0 <= slice1winner5_best_index_1_0;
+      end if;
       if reset = '1' then
         raster_features_valid <= false;
         raster_place_column <= 0;

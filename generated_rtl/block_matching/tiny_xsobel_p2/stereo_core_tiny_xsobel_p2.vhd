@@ -294,62 +294,92 @@ architecture rtl of stereo_core_tiny_xsobel_p2 is
   signal slice2_best_index_0_0, slice2_best_index_1_0 : natural range 0 to 7;
   signal slice2_best_tag_valid, slice2_best_tag_output_column, slice2_best_tag_start_of_frame : boolean;
   signal slice2_best_tag_end_of_line : boolean;
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(20 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(20 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(2 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(2 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(13 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(slice2_best_index_1_0, 8) & to_unsigned(slice2_best_index_0_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(3, 2));
   disparity_valid <= as_bit(slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_start_of_frame <= as_bit(slice2_best_tag_start_of_frame and slice2_best_tag_valid and slice2_best_tag_output_column);
   disparity_end_of_line <= as_bit(slice2_best_tag_end_of_line and slice2_best_tag_valid and slice2_best_tag_output_column);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 24);
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 5);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 5);
   transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 24);
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 24)
+    generic map (depth => 32, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned((rows_search_rows_write_words_0 mod 2097152), 21);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 21)
+    generic map (depth => 32, width => 21, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 5);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 5);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 21);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 32, width => 21)
+    generic map (depth => 32, width => 21, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 3);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 3);
   delay_delayed_0_memory_write_data <= ((to_unsigned(raster_features_reference_1, 7) & to_unsigned(0, 7)) or (to_unsigned(raster_features_reference_0, 14)));
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 14)
+    generic map (depth => 8, width => 14, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_all : boolean;
@@ -390,42 +420,77 @@ begin
       -- transform
       transform_counter_group_is_equal := transform_counter_column = 31;
       transform_counter_group_all := transform_counter_group_is_equal and (transform_counter_group = 5);
-      transform_counter_group_choice := 3 when transform_counter_group_all else 0;
+      if transform_counter_group_all then
+        transform_counter_group_choice := 3;
+      else
+        transform_counter_group_choice := 0;
+      end if;
       transform_counter_group_is_equal_2 := (transform_counter_group / 2) = 3;
-      transform_counter_group_choice_2 := in_valid and (not ((transform_counter_group mod 2) = 1)) when
-        transform_counter_group_is_equal_2 else in_valid;
-      transform_counter_group_choice_3 := 1 when transform_counter_next_frame and (transform_counter_group = 6) else
-        (transform_counter_group + 1) mod 8;
-      transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_is_equal and
-        transform_counter_group_choice_2 else transform_counter_group;
+      if transform_counter_group_is_equal_2 then
+        transform_counter_group_choice_2 := in_valid and (not ((transform_counter_group mod 2) = 1));
+      else
+        transform_counter_group_choice_2 := in_valid;
+      end if;
+      if transform_counter_next_frame and (transform_counter_group = 6) then
+        transform_counter_group_choice_3 := 1;
+      else
+        transform_counter_group_choice_3 := (transform_counter_group + 1) mod 8;
+      end if;
+      if transform_counter_group_is_equal and transform_counter_group_choice_2 then
+        transform_counter_group_choice_4 := transform_counter_group_choice_3;
+      else
+        transform_counter_group_choice_4 := transform_counter_group;
+      end if;
       transform_read_row_inside_0_value := ((transform_counter_group / 2) mod 2) = 1;
       transform_read_row_inside_0_any := ((transform_counter_group / 4) = 1) or transform_read_row_inside_0_value;
       transform_read_row_inside_1_any := (not ((transform_counter_group / 4) = 1)) or (not
         transform_read_row_inside_0_value);
       transform_read_column_inside_0_differs := (transform_counter_column / 2) /= 0;
-      transform_left_filter_feature_0_choice := 126 when 63 < transform_left_filter_slope_0 else
-        (transform_left_filter_slope_0 + 63) mod 128;
-      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-63) else
-        transform_left_filter_feature_0_choice;
-      transform_left_filter_feature_1_choice := 126 when 63 < transform_left_filter_slope_1 else
-        (transform_left_filter_slope_1 + 63) mod 256;
-      transform_left_filter_feature_1_choice_2 := 0 when transform_left_filter_slope_1 < (-63) else
-        transform_left_filter_feature_1_choice;
-      transform_right_filter_feature_0_choice := 126 when 63 < transform_right_filter_slope_0 else
-        (transform_right_filter_slope_0 + 63) mod 65536;
-      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-63) else
-        transform_right_filter_feature_0_choice;
-      transform_right_filter_feature_1_choice := 126 when 63 < transform_right_filter_slope_1 else
-        (transform_right_filter_slope_1 + 63) mod 256;
-      transform_right_filter_feature_1_choice_2 := 0 when transform_right_filter_slope_1 < (-63) else
-        transform_right_filter_feature_1_choice;
+      if 63 < transform_left_filter_slope_0 then
+        transform_left_filter_feature_0_choice := 126;
+      else
+        transform_left_filter_feature_0_choice := (transform_left_filter_slope_0 + 63) mod 128;
+      end if;
+      if transform_left_filter_slope_0 < (-63) then
+        transform_left_filter_feature_0_choice_2 := 0;
+      else
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      end if;
+      if 63 < transform_left_filter_slope_1 then
+        transform_left_filter_feature_1_choice := 126;
+      else
+        transform_left_filter_feature_1_choice := (transform_left_filter_slope_1 + 63) mod 256;
+      end if;
+      if transform_left_filter_slope_1 < (-63) then
+        transform_left_filter_feature_1_choice_2 := 0;
+      else
+        transform_left_filter_feature_1_choice_2 := transform_left_filter_feature_1_choice;
+      end if;
+      if 63 < transform_right_filter_slope_0 then
+        transform_right_filter_feature_0_choice := 126;
+      else
+        transform_right_filter_feature_0_choice := (transform_right_filter_slope_0 + 63) mod 65536;
+      end if;
+      if transform_right_filter_slope_0 < (-63) then
+        transform_right_filter_feature_0_choice_2 := 0;
+      else
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      end if;
+      if 63 < transform_right_filter_slope_1 then
+        transform_right_filter_feature_1_choice := 126;
+      else
+        transform_right_filter_feature_1_choice := (transform_right_filter_slope_1 + 63) mod 256;
+      end if;
+      if transform_right_filter_slope_1 < (-63) then
+        transform_right_filter_feature_1_choice_2 := 0;
+      else
+        transform_right_filter_feature_1_choice_2 := transform_right_filter_feature_1_choice;
+      end if;
       transform_left_0 <= in_left_pixel mod 256;
       transform_left_1 <= in_left_pixel / 256;
       transform_right_0 <= in_right_pixel mod 256;
       transform_right_1 <= in_right_pixel / 256;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice * 2 when in_start_of_frame and in_valid else
-        transform_counter_group_choice_4;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_read_newest_1 <= transform_left_1;
       transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
@@ -438,8 +503,6 @@ begin
       transform_right_rows_ready_newest_1 <= transform_right_rows_read_newest_1;
       transform_read_column <= transform_counter_column;
       transform_read_row_inside_0 <= transform_read_row_inside_0_any;
-      transform_read_row_inside_1 <= transform_read_row_inside_1_any when (transform_counter_group mod 2) = 1 else
-        transform_read_row_inside_0_any;
       transform_read_row_inside_3 <= transform_read_row_inside_1_any;
       transform_read_column_inside_0 <= transform_read_column_inside_0_differs or ((transform_counter_column mod 2) =
         1);
@@ -473,16 +536,8 @@ begin
       transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
       transform_left_filter_slope_1 <= transform_left_filter_column_0_1 - transform_left_filter_column_2_1;
       transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
-      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
-        63;
-      transform_left_filter_feature_1 <= transform_left_filter_feature_1_choice_2 when transform_left_filter_whole else
-        63;
       transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
       transform_right_filter_slope_1 <= transform_right_filter_column_0_1 - transform_right_filter_column_2_1;
-      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
-        else 63;
-      transform_right_filter_feature_1 <= transform_right_filter_feature_1_choice_2 when transform_left_filter_whole
-        else 63;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -491,15 +546,48 @@ begin
       transform_filtering_1_valid <= transform_filtering_0_valid;
       transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
       transform_filtering_2_valid <= transform_filtering_1_valid;
-      transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1)
-        when transform_counter_group_is_equal_2 else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
-        transform_counter_group_is_equal else transform_counter_next_frame;
+      if in_start_of_frame and in_valid then
+        transform_counter_group <= transform_counter_group_choice * 2;
+      else
+        transform_counter_group <= transform_counter_group_choice_4;
+      end if;
+      if (transform_counter_group mod 2) = 1 then
+        transform_read_row_inside_1 <= transform_read_row_inside_1_any;
+      else
+        transform_read_row_inside_1 <= transform_read_row_inside_0_any;
+      end if;
+      if transform_left_filter_whole then
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2;
+        transform_left_filter_feature_1 <= transform_left_filter_feature_1_choice_2;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2;
+        transform_right_filter_feature_1 <= transform_right_filter_feature_1_choice_2;
+      else
+        transform_left_filter_feature_0 <= 63;
+        transform_left_filter_feature_1 <= 63;
+        transform_right_filter_feature_0 <= 63;
+        transform_right_filter_feature_1 <= 63;
+      end if;
+      if transform_counter_group_is_equal_2 then
+        transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1);
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
+      if transform_counter_group_is_equal then
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
+      else
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
-          (transform_counter_column + 1) mod 32;
-        transform_counter_next_frame <= transform_counter_group_all when in_start_of_frame else
-          transform_counter_next_frame_choice_2;
+        if transform_counter_group_is_equal or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 32;
+        end if;
+        if in_start_of_frame then
+          transform_counter_next_frame <= transform_counter_group_all;
+        else
+          transform_counter_next_frame <= transform_counter_next_frame_choice_2;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_words_0 / 65536) +
@@ -508,30 +596,66 @@ begin
           (transform_right_rows_ready_newest_0 * 256) + (transform_right_rows_ready_newest_1 * 65536);
         transform_write_column <= transform_ready_column;
       end if;
-      transform_left_filter_column_0_0_choice := transform_left_column_0 when transform_columns_row_inside_0 else
-        transform_left_column_2;
-      transform_left_filter_column_0_0_choice_2 := transform_left_column_2 when transform_columns_row_inside_1 else
-        transform_left_column_0;
-      transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_left_column_0 mod 2) = 1;
-      transform_left_filter_column_0_1_choice := transform_left_column_1 when transform_columns_row_inside_1 else
-        transform_left_column_3;
-      transform_left_filter_column_0_1_choice_2 := transform_left_column_3 when transform_columns_row_inside_3 else
-        transform_left_column_1;
-      transform_left_filter_column_0_1_choice_3 := (transform_left_column_3 mod 2) = 1 when
-        transform_columns_row_inside_3 else (transform_left_column_1 mod 2) = 1;
-      transform_right_filter_column_0_0_choice := transform_right_column_0 when transform_columns_row_inside_0 else
-        transform_right_column_2;
-      transform_right_filter_column_0_0_choice_2 := transform_right_column_2 when transform_columns_row_inside_1 else
-        transform_right_column_0;
-      transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1 when
-        transform_columns_row_inside_1 else (transform_right_column_0 mod 2) = 1;
-      transform_right_filter_column_0_1_choice := transform_right_column_1 when transform_columns_row_inside_1 else
-        transform_right_column_3;
-      transform_right_filter_column_0_1_choice_2 := transform_right_column_3 when transform_columns_row_inside_3 else
-        transform_right_column_1;
-      transform_right_filter_column_0_1_choice_3 := (transform_right_column_3 mod 2) = 1 when
-        transform_columns_row_inside_3 else (transform_right_column_1 mod 2) = 1;
+      if transform_columns_row_inside_0 then
+        transform_left_filter_column_0_0_choice := transform_left_column_0;
+      else
+        transform_left_filter_column_0_0_choice := transform_left_column_2;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_2;
+      else
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_0;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_2 mod 2) = 1;
+      else
+        transform_left_filter_column_0_0_choice_3 := (transform_left_column_0 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_left_filter_column_0_1_choice := transform_left_column_1;
+      else
+        transform_left_filter_column_0_1_choice := transform_left_column_3;
+      end if;
+      if transform_columns_row_inside_3 then
+        transform_left_filter_column_0_1_choice_2 := transform_left_column_3;
+      else
+        transform_left_filter_column_0_1_choice_2 := transform_left_column_1;
+      end if;
+      if transform_columns_row_inside_3 then
+        transform_left_filter_column_0_1_choice_3 := (transform_left_column_3 mod 2) = 1;
+      else
+        transform_left_filter_column_0_1_choice_3 := (transform_left_column_1 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_0 then
+        transform_right_filter_column_0_0_choice := transform_right_column_0;
+      else
+        transform_right_filter_column_0_0_choice := transform_right_column_2;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_2;
+      else
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_0;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_2 mod 2) = 1;
+      else
+        transform_right_filter_column_0_0_choice_3 := (transform_right_column_0 mod 2) = 1;
+      end if;
+      if transform_columns_row_inside_1 then
+        transform_right_filter_column_0_1_choice := transform_right_column_1;
+      else
+        transform_right_filter_column_0_1_choice := transform_right_column_3;
+      end if;
+      if transform_columns_row_inside_3 then
+        transform_right_filter_column_0_1_choice_2 := transform_right_column_3;
+      else
+        transform_right_filter_column_0_1_choice_2 := transform_right_column_1;
+      end if;
+      if transform_columns_row_inside_3 then
+        transform_right_filter_column_0_1_choice_3 := (transform_right_column_3 mod 2) = 1;
+      else
+        transform_right_filter_column_0_1_choice_3 := (transform_right_column_1 mod 2) = 1;
+      end if;
       if transform_columns_valid then
         transform_left_filter_column_0_0 <= transform_left_filter_column_0_0_choice +
           (((transform_left_filter_column_0_0_choice_2 / 2) + transform_left_column_1) * 2) +
@@ -557,35 +681,67 @@ begin
       -- raster
       raster_place_group_is_equal := raster_place_column = 31;
       raster_place_group_all := raster_place_group_is_equal and (raster_place_group = 5);
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_2 := (raster_place_group / 2) = 3;
-      raster_place_group_choice_2 := transform_filtering_2_valid and (not ((raster_place_group mod 2) = 1)) when
-        raster_place_group_is_equal_2 else transform_filtering_2_valid;
-      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 6) else
-        (raster_place_group + 1) mod 8;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_is_equal and
-        raster_place_group_choice_2 else raster_place_group;
+      if raster_place_group_is_equal_2 then
+        raster_place_group_choice_2 := transform_filtering_2_valid and (not ((raster_place_group mod 2) = 1));
+      else
+        raster_place_group_choice_2 := transform_filtering_2_valid;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 6) then
+        raster_place_group_choice_3 := 1;
+      else
+        raster_place_group_choice_3 := (raster_place_group + 1) mod 8;
+      end if;
+      if raster_place_group_is_equal and raster_place_group_choice_2 then
+        raster_place_group_choice_4 := raster_place_group_choice_3;
+      else
+        raster_place_group_choice_4 := raster_place_group;
+      end if;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_search_1 <= transform_left_filter_feature_1;
       raster_features_reference_0 <= transform_right_filter_feature_0 mod 16384;
       raster_features_reference_1 <= transform_right_filter_feature_1 mod 128;
       raster_features_valid <= transform_filtering_2_valid;
-      raster_place_group <= raster_place_group_choice * 2 when transform_filtering_2_start_of_frame and
-        transform_filtering_2_valid else raster_place_group_choice_4;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal else
-        raster_place_next_frame;
+      if transform_filtering_2_start_of_frame and transform_filtering_2_valid then
+        raster_place_group <= raster_place_group_choice * 2;
+      else
+        raster_place_group <= raster_place_group_choice_4;
+      end if;
+      if raster_place_group_is_equal_2 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
       if transform_filtering_2_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_2_start_of_frame else
-          (raster_place_column + 1) mod 32;
-        raster_place_next_frame <= raster_place_group_all when transform_filtering_2_start_of_frame else
-          raster_place_next_frame_choice_2;
+        if raster_place_group_is_equal or transform_filtering_2_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 32;
+        end if;
+        if transform_filtering_2_start_of_frame then
+          raster_place_next_frame <= raster_place_group_all;
+        else
+          raster_place_next_frame <= raster_place_next_frame_choice_2;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 7 else (delay_ring_read_address + 1) mod 8;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 7 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 8;
+        end if;
       end if;
       delay_row_inside_0_value := ((raster_place_group / 2) mod 2) = 1;
       delay_row_inside_0_any := ((raster_place_group / 4) = 1) or delay_row_inside_0_value;
@@ -594,15 +750,22 @@ begin
       delay_ahead_1 <= raster_features_search_1;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_any;
-      delay_row_inside_1 <= delay_row_inside_1_any when (raster_place_group mod 2) = 1 else delay_row_inside_0_any;
       delay_row_inside_3 <= delay_row_inside_1_any;
       delay_tag_valid <= raster_features_valid;
-      delay_tag_border_column <= (raster_place_column / 4) = 0 when (raster_place_column mod 4) = 3 else
-        (raster_place_column / 8) = 0;
       delay_tag_output_column <= (raster_place_group >= 1) and (raster_place_group < 7) and (raster_place_column >= 7)
         and (raster_place_column < 31);
       delay_tag_start_of_frame <= (raster_place_column = 7) and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column = 30;
+      if (raster_place_group mod 2) = 1 then
+        delay_row_inside_1 <= delay_row_inside_1_any;
+      else
+        delay_row_inside_1 <= delay_row_inside_0_any;
+      end if;
+      if (raster_place_column mod 4) = 3 then
+        delay_tag_border_column <= (raster_place_column / 4) = 0;
+      else
+        delay_tag_border_column <= (raster_place_column / 8) = 0;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_ahead_0;
       rows_search_rows_read_newest_1 <= delay_ahead_1;
@@ -632,19 +795,36 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_search_1 <= (rows_search_rows_ready_words_0 / 128) mod 128 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_words_0 / 16384 when rows_ready_inside_1 else 0;
-      rows_search_3 <= rows_search_rows_ready_newest_0 when rows_ready_inside_3 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= (rows_reference_rows_ready_words_0 / 128) mod 128 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_words_0 / 16384 when rows_ready_inside_1 else 0;
-      rows_reference_3 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_3 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 128;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 128;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= (rows_search_rows_ready_words_0 / 128) mod 128;
+        rows_search_2 <= rows_search_rows_ready_words_0 / 16384;
+        rows_reference_1 <= (rows_reference_rows_ready_words_0 / 128) mod 128;
+        rows_reference_2 <= rows_reference_rows_ready_words_0 / 16384;
+      else
+        rows_search_1 <= 0;
+        rows_search_2 <= 0;
+        rows_reference_1 <= 0;
+        rows_reference_2 <= 0;
+      end if;
+      if rows_ready_inside_3 then
+        rows_search_3 <= rows_search_rows_ready_newest_0;
+        rows_reference_3 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_3 <= 0;
+        rows_reference_3 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 16384) + (rows_search_rows_ready_newest_0 *
           128) + (rows_search_rows_ready_newest_1 * 16384);
@@ -718,23 +898,26 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
-      slice0cost_column_1_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
-      slice0cost_column_1_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
-      slice0cost_column_1_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_1_0 <= 0;
+        slice0cost_column_1_1 <= 0;
+        slice0cost_column_1_2 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0) + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1) + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2) + slice0cost_single_0_2;
+        slice0cost_column_1_0 <= slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0) + slice0cost_single_3_0;
+        slice0cost_column_1_1 <= slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1) + slice0cost_single_3_1;
+        slice0cost_column_1_2 <= slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2) + slice0cost_single_3_2;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -770,26 +953,12 @@ begin
         to_integer(((to_unsigned(slice0winner1_of_pair_0_0, 11)) or (to_unsigned(slice0winner1_of_pair_0_1, 11))))) < 0;
       slice0winner1_of_four_1_0_is_less := (slice0winner1_of_pair_1_2 -
         to_integer(((to_unsigned(slice0winner1_of_pair_1_0, 11)) or (to_unsigned(slice0winner1_of_pair_1_1, 11))))) < 0;
-      slice0winner1_of_pair_0_0 <= 0 when slice0winner1_of_pair_0_0_is_less else slice0window_sum_0_0;
-      slice0winner1_of_pair_0_1 <= slice0window_sum_0_1 when slice0winner1_of_pair_0_0_is_less else 0;
       slice0winner1_of_pair_0_2 <= slice0window_sum_0_2;
-      slice0winner1_of_pair_1_0 <= 0 when slice0winner1_of_pair_1_0_is_less else slice0window_sum_1_0;
-      slice0winner1_of_pair_1_1 <= slice0window_sum_1_1 when slice0winner1_of_pair_1_0_is_less else 0;
       slice0winner1_of_pair_1_2 <= slice0window_sum_1_2;
       slice0winner1_pair_index_0_0 <= slice0winner1_of_pair_0_0_is_less;
       slice0winner1_pair_index_0_1 <= 2;
       slice0winner1_pair_index_1_0 <= slice0winner1_of_pair_1_0_is_less;
       slice0winner1_pair_tag_valid <= slice0window_tag_valid;
-      slice0winner1_of_four_0_0 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_0;
-      slice0winner1_of_four_0_1 <= 0 when slice0winner1_of_four_0_0_is_less else slice0winner1_of_pair_0_1;
-      slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2 when slice0winner1_of_four_0_0_is_less else 0;
-      slice0winner1_of_four_1_0 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_0;
-      slice0winner1_of_four_1_1 <= 0 when slice0winner1_of_four_1_0_is_less else slice0winner1_of_pair_1_1;
-      slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2 when slice0winner1_of_four_1_0_is_less else 0;
-      slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_0_0_is_less else
-        as_number(slice0winner1_pair_index_0_0);
-      slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice0winner1_of_four_1_0_is_less else
-        as_number(slice0winner1_pair_index_1_0);
       slice0winner1_four_tag_valid <= slice0winner1_pair_tag_valid;
       slice0winner1_four_tag_output_column <= slice0winner1_pair_tag_output_column;
       slice0winner1_four_tag_start_of_frame <= slice0winner1_pair_tag_start_of_frame;
@@ -804,6 +973,42 @@ begin
       slice0winner1_tag_output_column <= slice0winner1_four_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0winner1_four_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0winner1_four_tag_end_of_line;
+      if slice0winner1_of_pair_0_0_is_less then
+        slice0winner1_of_pair_0_0 <= 0;
+        slice0winner1_of_pair_0_1 <= slice0window_sum_0_1;
+      else
+        slice0winner1_of_pair_0_0 <= slice0window_sum_0_0;
+        slice0winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice0winner1_of_pair_1_0_is_less then
+        slice0winner1_of_pair_1_0 <= 0;
+        slice0winner1_of_pair_1_1 <= slice0window_sum_1_1;
+      else
+        slice0winner1_of_pair_1_0 <= slice0window_sum_1_0;
+        slice0winner1_of_pair_1_1 <= 0;
+      end if;
+      if slice0winner1_of_four_0_0_is_less then
+        slice0winner1_of_four_0_0 <= 0;
+        slice0winner1_of_four_0_1 <= 0;
+        slice0winner1_of_four_0_2 <= slice0winner1_of_pair_0_2;
+        slice0winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice0winner1_of_four_0_0 <= slice0winner1_of_pair_0_0;
+        slice0winner1_of_four_0_1 <= slice0winner1_of_pair_0_1;
+        slice0winner1_of_four_0_2 <= 0;
+        slice0winner1_four_index_0_0 <= as_number(slice0winner1_pair_index_0_0);
+      end if;
+      if slice0winner1_of_four_1_0_is_less then
+        slice0winner1_of_four_1_0 <= 0;
+        slice0winner1_of_four_1_1 <= 0;
+        slice0winner1_of_four_1_2 <= slice0winner1_of_pair_1_2;
+        slice0winner1_four_index_1_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice0winner1_of_four_1_0 <= slice0winner1_of_pair_1_0;
+        slice0winner1_of_four_1_1 <= slice0winner1_of_pair_1_1;
+        slice0winner1_of_four_1_2 <= 0;
+        slice0winner1_four_index_1_0 <= as_number(slice0winner1_pair_index_1_0);
+      end if;
       if slice0winner1_pair_tag_valid then
         slice0winner1_pair_tag_output_column <= slice0window_tag_output_column;
         slice0winner1_pair_tag_start_of_frame <= slice0window_tag_start_of_frame;
@@ -869,19 +1074,22 @@ begin
       slice1cost_single_3_0 <= folded(slice1cost_difference_3_0) + as_number((slice1cost_difference_3_0 < 0));
       slice1cost_single_3_1 <= folded(slice1cost_difference_3_1) + as_number((slice1cost_difference_3_1 < 0));
       slice1cost_single_3_2 <= folded(slice1cost_difference_3_2) + as_number((slice1cost_difference_3_2 < 0));
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
-        as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
-        as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
-        as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
-      slice1cost_column_1_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 +
-        as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
-      slice1cost_column_1_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 +
-        as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
-      slice1cost_column_1_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 +
-        as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_1_0 <= 0;
+        slice1cost_column_1_1 <= 0;
+        slice1cost_column_1_2 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0) + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1) + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2) + slice1cost_single_0_2;
+        slice1cost_column_1_0 <= slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0) + slice1cost_single_3_0;
+        slice1cost_column_1_1 <= slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1) + slice1cost_single_3_1;
+        slice1cost_column_1_2 <= slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2) + slice1cost_single_3_2;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -910,43 +1118,73 @@ begin
         to_integer(((to_unsigned(slice1winner1_of_pair_0_0, 11)) or (to_unsigned(slice1winner1_of_pair_0_1, 11))))) < 0;
       slice1winner1_of_four_1_0_is_less := (slice1winner1_of_pair_1_2 -
         to_integer(((to_unsigned(slice1winner1_of_pair_1_0, 11)) or (to_unsigned(slice1winner1_of_pair_1_1, 11))))) < 0;
-      slice1winner1_of_pair_0_0 <= 0 when slice1winner1_of_pair_0_0_is_less else slice1window_sum_0_0;
-      slice1winner1_of_pair_0_1 <= slice1window_sum_0_1 when slice1winner1_of_pair_0_0_is_less else 0;
       slice1winner1_of_pair_0_2 <= slice1window_sum_0_2;
-      slice1winner1_of_pair_1_0 <= 0 when slice1winner1_of_pair_1_0_is_less else slice1window_sum_1_0;
-      slice1winner1_of_pair_1_1 <= slice1window_sum_1_1 when slice1winner1_of_pair_1_0_is_less else 0;
       slice1winner1_of_pair_1_2 <= slice1window_sum_1_2;
       slice1winner1_pair_index_0_0 <= slice1winner1_of_pair_0_0_is_less;
       slice1winner1_pair_index_1_0 <= slice1winner1_of_pair_1_0_is_less;
-      slice1winner1_of_four_0_0 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_0;
-      slice1winner1_of_four_0_1 <= 0 when slice1winner1_of_four_0_0_is_less else slice1winner1_of_pair_0_1;
-      slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2 when slice1winner1_of_four_0_0_is_less else 0;
-      slice1winner1_of_four_1_0 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_0;
-      slice1winner1_of_four_1_1 <= 0 when slice1winner1_of_four_1_0_is_less else slice1winner1_of_pair_1_1;
-      slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2 when slice1winner1_of_four_1_0_is_less else 0;
-      slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_0_0_is_less else
-        as_number(slice1winner1_pair_index_0_0);
-      slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1 when slice1winner1_of_four_1_0_is_less else
-        as_number(slice1winner1_pair_index_1_0);
       slice1winner1_best_cost_0_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_0_1, 11)) or
         (to_unsigned(slice1winner1_of_four_0_2, 11)))) or (to_unsigned(slice1winner1_of_four_0_0, 11))));
       slice1winner1_best_cost_1_0 <= to_integer(((((to_unsigned(slice1winner1_of_four_1_1, 11)) or
         (to_unsigned(slice1winner1_of_four_1_2, 11)))) or (to_unsigned(slice1winner1_of_four_1_0, 11))));
       slice1winner1_best_index_0_0 <= slice1winner1_four_index_0_0;
       slice1winner1_best_index_1_0 <= slice1winner1_four_index_1_0;
+      if slice1winner1_of_pair_0_0_is_less then
+        slice1winner1_of_pair_0_0 <= 0;
+        slice1winner1_of_pair_0_1 <= slice1window_sum_0_1;
+      else
+        slice1winner1_of_pair_0_0 <= slice1window_sum_0_0;
+        slice1winner1_of_pair_0_1 <= 0;
+      end if;
+      if slice1winner1_of_pair_1_0_is_less then
+        slice1winner1_of_pair_1_0 <= 0;
+        slice1winner1_of_pair_1_1 <= slice1window_sum_1_1;
+      else
+        slice1winner1_of_pair_1_0 <= slice1window_sum_1_0;
+        slice1winner1_of_pair_1_1 <= 0;
+      end if;
+      if slice1winner1_of_four_0_0_is_less then
+        slice1winner1_of_four_0_0 <= 0;
+        slice1winner1_of_four_0_1 <= 0;
+        slice1winner1_of_four_0_2 <= slice1winner1_of_pair_0_2;
+        slice1winner1_four_index_0_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice1winner1_of_four_0_0 <= slice1winner1_of_pair_0_0;
+        slice1winner1_of_four_0_1 <= slice1winner1_of_pair_0_1;
+        slice1winner1_of_four_0_2 <= 0;
+        slice1winner1_four_index_0_0 <= as_number(slice1winner1_pair_index_0_0);
+      end if;
+      if slice1winner1_of_four_1_0_is_less then
+        slice1winner1_of_four_1_0 <= 0;
+        slice1winner1_of_four_1_1 <= 0;
+        slice1winner1_of_four_1_2 <= slice1winner1_of_pair_1_2;
+        slice1winner1_four_index_1_0 <= slice0winner1_pair_index_0_1;
+      else
+        slice1winner1_of_four_1_0 <= slice1winner1_of_pair_1_0;
+        slice1winner1_of_four_1_1 <= slice1winner1_of_pair_1_1;
+        slice1winner1_of_four_1_2 <= 0;
+        slice1winner1_four_index_1_0 <= as_number(slice1winner1_pair_index_1_0);
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner1_best_cost_0_0) < 0;
       slice1_best_cost_1_0_is_less := (slice0_best_cost_1_0 - slice1winner1_best_cost_1_0) < 0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner1_best_cost_0_0;
-      slice1_best_cost_1_0 <= slice0_best_cost_1_0 when slice1_best_cost_1_0_is_less else slice1winner1_best_cost_1_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
-      slice1_best_index_1_0 <= slice0_best_index_1_0 when slice1_best_cost_1_0_is_less else
-        (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1_best_index_0_0 <= (((slice1winner1_best_index_0_0 / 2) + 1) * 2) + (slice1winner1_best_index_0_0 mod 2);
+      end if;
+      if slice1_best_cost_1_0_is_less then
+        slice1_best_cost_1_0 <= slice0_best_cost_1_0;
+        slice1_best_index_1_0 <= slice0_best_index_1_0;
+      else
+        slice1_best_cost_1_0 <= slice1winner1_best_cost_1_0;
+        slice1_best_index_1_0 <= (((slice1winner1_best_index_1_0 / 2) + 1) * 2) + (slice1winner1_best_index_1_0 mod 2);
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -981,14 +1219,17 @@ begin
       slice2cost_single_0_1 <= folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0));
       slice2cost_single_3_0 <= folded(slice2cost_difference_3_0) + as_number((slice2cost_difference_3_0 < 0));
       slice2cost_single_3_1 <= folded(slice2cost_difference_3_1) + as_number((slice2cost_difference_3_1 < 0));
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
-        as_number(slice2cost_negative_0_0) + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
-        as_number(slice2cost_negative_0_1) + slice2cost_single_0_1;
-      slice2cost_column_1_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 +
-        as_number(slice2cost_negative_0_0) + slice2cost_single_3_0;
-      slice2cost_column_1_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 +
-        as_number(slice2cost_negative_0_1) + slice2cost_single_3_1;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+        slice2cost_column_1_0 <= 0;
+        slice2cost_column_1_1 <= 0;
+      else
+        slice2cost_column_0_0 <= slice2cost_pair_0_0 + as_number(slice2cost_negative_0_0) + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= slice2cost_pair_0_1 + as_number(slice2cost_negative_0_1) + slice2cost_single_0_1;
+        slice2cost_column_1_0 <= slice2cost_pair_0_0 + as_number(slice2cost_negative_0_0) + slice2cost_single_3_0;
+        slice2cost_column_1_1 <= slice2cost_pair_0_1 + as_number(slice2cost_negative_0_1) + slice2cost_single_3_1;
+      end if;
       -- slice2window
       if slice0winner1_pair_tag_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -1007,12 +1248,18 @@ begin
       -- slice2winner1
       slice2winner1_best_cost_0_0_is_less := (slice2window_sum_0_1 - slice2window_sum_0_0) < 0;
       slice2winner1_best_cost_1_0_is_less := (slice2window_sum_1_1 - slice2window_sum_1_0) < 0;
-      slice2winner1_best_cost_0_0 <= slice2window_sum_0_1 when slice2winner1_best_cost_0_0_is_less else
-        slice2window_sum_0_0;
-      slice2winner1_best_cost_1_0 <= slice2window_sum_1_1 when slice2winner1_best_cost_1_0_is_less else
-        slice2window_sum_1_0;
       slice2winner1_best_index_0_0 <= slice2winner1_best_cost_0_0_is_less;
       slice2winner1_best_index_1_0 <= slice2winner1_best_cost_1_0_is_less;
+      if slice2winner1_best_cost_0_0_is_less then
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_1;
+      else
+        slice2winner1_best_cost_0_0 <= slice2window_sum_0_0;
+      end if;
+      if slice2winner1_best_cost_1_0_is_less then
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_1;
+      else
+        slice2winner1_best_cost_1_0 <= slice2window_sum_1_0;
+      end if;
       -- slice2winner2
       slice2winner2_best_cost_0_0 <= slice2winner1_best_cost_0_0;
       slice2winner2_best_cost_1_0 <= slice2winner1_best_cost_1_0;
@@ -1024,14 +1271,20 @@ begin
       slice2winner3_best_index_0_0 <= slice2winner2_best_index_0_0;
       slice2winner3_best_index_1_0 <= slice2winner2_best_index_1_0;
       -- slice2
-      slice2_best_index_0_0 <= slice1_best_index_0_0 when (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 else
-        as_number(slice2winner3_best_index_0_0);
-      slice2_best_index_1_0 <= slice1_best_index_1_0 when (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 else
-        as_number(slice2winner3_best_index_1_0);
       slice2_best_tag_valid <= slice1_best_tag_valid;
       slice2_best_tag_output_column <= slice1_best_tag_output_column;
       slice2_best_tag_start_of_frame <= slice1_best_tag_start_of_frame;
       slice2_best_tag_end_of_line <= slice1_best_tag_end_of_line;
+      if (slice1_best_cost_0_0 - slice2winner3_best_cost_0_0) < 0 then
+        slice2_best_index_0_0 <= slice1_best_index_0_0;
+      else
+        slice2_best_index_0_0 <= as_number(slice2winner3_best_index_0_0);
+      end if;
+      if (slice1_best_cost_1_0 - slice2winner3_best_cost_1_0) < 0 then
+        slice2_best_index_1_0 <= slice1_best_index_1_0;
+      else
+        slice2_best_index_1_0 <= as_number(slice2winner3_best_index_1_0);
+      end if;
       if reset = '1' then
         transform_valid <= false;
         transform_counter_column <= 0;

@@ -995,611 +995,1007 @@ architecture rtl of stereo_core_tiny_dynamic_12bit is
   signal other_5, other_11, other_16, other_19 : natural range 0 to 32762;
   signal other_12, other_13, other_21, other_22 : natural range 0 to 257;
   signal other_20 : natural range 0 to 30;
+  signal lowwindow_leaving_3_memory_read_enable : boolean;
+  signal lowwindow_leaving_3_memory_read_address : unsigned(2 downto 0);
+  signal lowwindow_leaving_3_memory_write_address : unsigned(2 downto 0);
   signal lowwindow_leaving_3_memory_write_data : unsigned(27 downto 0);
+  signal lowwindow_leaving_2_memory_read_enable : boolean;
+  signal lowwindow_leaving_2_memory_read_address : unsigned(2 downto 0);
+  signal lowwindow_leaving_2_memory_write_address : unsigned(2 downto 0);
   signal lowwindow_leaving_2_memory_write_data : unsigned(27 downto 0);
+  signal lowwindow_leaving_1_memory_read_enable : boolean;
+  signal lowwindow_leaving_1_memory_read_address : unsigned(2 downto 0);
+  signal lowwindow_leaving_1_memory_write_address : unsigned(2 downto 0);
   signal lowwindow_leaving_1_memory_write_data : unsigned(27 downto 0);
+  signal lowwindow_leaving_0_memory_read_enable : boolean;
+  signal lowwindow_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal lowwindow_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal lowwindow_leaving_0_memory_write_data : unsigned(27 downto 0);
+  signal lowcost_read_words_3_memory_read_enable : boolean;
+  signal lowcost_read_words_3_memory_read_address : unsigned(5 downto 0);
+  signal lowcost_read_words_3_memory_write_address : unsigned(5 downto 0);
   signal lowcost_read_words_3_memory_write_data : unsigned(27 downto 0);
+  signal lowcost_read_words_2_memory_read_enable : boolean;
+  signal lowcost_read_words_2_memory_read_address : unsigned(5 downto 0);
+  signal lowcost_read_words_2_memory_write_address : unsigned(5 downto 0);
   signal lowcost_read_words_2_memory_write_data : unsigned(27 downto 0);
+  signal lowcost_read_words_1_memory_read_enable : boolean;
+  signal lowcost_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal lowcost_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal lowcost_read_words_1_memory_write_data : unsigned(27 downto 0);
+  signal lowcost_read_words_0_memory_read_enable : boolean;
+  signal lowcost_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal lowcost_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal lowcost_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal highwindow_leaving_3_memory_read_enable : boolean;
+  signal highwindow_leaving_3_memory_read_address : unsigned(2 downto 0);
+  signal highwindow_leaving_3_memory_write_address : unsigned(2 downto 0);
   signal highwindow_leaving_3_memory_write_data : unsigned(27 downto 0);
+  signal highwindow_leaving_2_memory_read_enable : boolean;
+  signal highwindow_leaving_2_memory_read_address : unsigned(2 downto 0);
+  signal highwindow_leaving_2_memory_write_address : unsigned(2 downto 0);
   signal highwindow_leaving_2_memory_write_data : unsigned(27 downto 0);
+  signal highwindow_leaving_1_memory_read_enable : boolean;
+  signal highwindow_leaving_1_memory_read_address : unsigned(2 downto 0);
+  signal highwindow_leaving_1_memory_write_address : unsigned(2 downto 0);
   signal highwindow_leaving_1_memory_write_data : unsigned(27 downto 0);
+  signal highwindow_leaving_0_memory_read_enable : boolean;
+  signal highwindow_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal highwindow_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal highwindow_leaving_0_memory_write_data : unsigned(27 downto 0);
+  signal highcost_read_words_3_memory_read_enable : boolean;
+  signal highcost_read_words_3_memory_read_address : unsigned(5 downto 0);
+  signal highcost_read_words_3_memory_write_address : unsigned(5 downto 0);
   signal highcost_read_words_3_memory_write_data : unsigned(27 downto 0);
+  signal highcost_read_words_2_memory_read_enable : boolean;
+  signal highcost_read_words_2_memory_read_address : unsigned(5 downto 0);
+  signal highcost_read_words_2_memory_write_address : unsigned(5 downto 0);
   signal highcost_read_words_2_memory_write_data : unsigned(27 downto 0);
+  signal highcost_read_words_1_memory_read_enable : boolean;
+  signal highcost_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal highcost_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal highcost_read_words_1_memory_write_data : unsigned(27 downto 0);
+  signal highcost_read_words_0_memory_read_enable : boolean;
+  signal highcost_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal highcost_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal highcost_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal compared_rows_read_words_2_memory_read_enable : boolean;
+  signal compared_rows_read_words_2_memory_read_address : unsigned(5 downto 0);
+  signal compared_rows_read_words_2_memory_write_address : unsigned(5 downto 0);
   signal compared_rows_read_words_2_memory_write_data : unsigned(11 downto 0);
+  signal compared_rows_read_words_1_memory_read_enable : boolean;
+  signal compared_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal compared_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal compared_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal compared_rows_read_words_0_memory_read_enable : boolean;
+  signal compared_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal compared_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal compared_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal pairs_delayed_0_memory_read_enable : boolean;
+  signal pairs_delayed_0_memory_read_address : unsigned(3 downto 0);
+  signal pairs_delayed_0_memory_write_address : unsigned(3 downto 0);
   signal pairs_delayed_0_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_15_memory_read_enable : boolean;
+  signal rows_read_codes_15_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_15_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_15_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_14_memory_read_enable : boolean;
+  signal rows_read_codes_14_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_14_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_14_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_13_memory_read_enable : boolean;
+  signal rows_read_codes_13_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_13_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_13_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_12_memory_read_enable : boolean;
+  signal rows_read_codes_12_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_12_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_12_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_11_memory_read_enable : boolean;
+  signal rows_read_codes_11_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_11_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_11_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_10_memory_read_enable : boolean;
+  signal rows_read_codes_10_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_10_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_10_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_9_memory_read_enable : boolean;
+  signal rows_read_codes_9_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_9_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_9_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_8_memory_read_enable : boolean;
+  signal rows_read_codes_8_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_8_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_8_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_7_memory_read_enable : boolean;
+  signal rows_read_codes_7_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_7_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_7_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_6_memory_read_enable : boolean;
+  signal rows_read_codes_6_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_6_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_6_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_5_memory_read_enable : boolean;
+  signal rows_read_codes_5_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_5_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_5_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_4_memory_read_enable : boolean;
+  signal rows_read_codes_4_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_4_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_4_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_3_memory_read_enable : boolean;
+  signal rows_read_codes_3_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_3_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_3_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_2_memory_read_enable : boolean;
+  signal rows_read_codes_2_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_2_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_2_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_1_memory_read_enable : boolean;
+  signal rows_read_codes_1_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_1_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_1_memory_write_data : unsigned(11 downto 0);
+  signal rows_read_codes_0_memory_read_enable : boolean;
+  signal rows_read_codes_0_memory_read_address : unsigned(6 downto 0);
+  signal rows_read_codes_0_memory_write_address : unsigned(6 downto 0);
   signal rows_read_codes_0_memory_write_data : unsigned(11 downto 0);
+  signal bases_read_targets_2_memory_read_enable : boolean;
+  signal bases_read_targets_2_memory_read_address : unsigned(5 downto 0);
+  signal bases_read_targets_2_memory_write_address : unsigned(5 downto 0);
   signal bases_read_targets_2_memory_write_data : unsigned(15 downto 0);
+  signal bases_read_targets_1_memory_read_enable : boolean;
+  signal bases_read_targets_1_memory_read_address : unsigned(5 downto 0);
+  signal bases_read_targets_1_memory_write_address : unsigned(5 downto 0);
   signal bases_read_targets_1_memory_write_data : unsigned(15 downto 0);
+  signal bases_read_targets_0_memory_read_enable : boolean;
+  signal bases_read_targets_0_memory_read_address : unsigned(5 downto 0);
+  signal bases_read_targets_0_memory_write_address : unsigned(5 downto 0);
   signal bases_read_targets_0_memory_write_data : unsigned(15 downto 0);
+  signal ahead_held_0_memory_read_enable : boolean;
+  signal ahead_held_0_memory_read_address : unsigned(4 downto 0);
+  signal ahead_held_0_memory_write_address : unsigned(4 downto 0);
   signal ahead_held_0_memory_write_data : unsigned(12 downto 0);
+  signal transform_left_rows_read_words_4_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_4_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_4_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_4_memory_write_data : unsigned(11 downto 0);
+  signal transform_left_rows_read_words_3_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_3_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_3_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal transform_left_rows_read_words_2_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_2_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_2_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal transform_left_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal transform_right_rows_read_words_4_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_4_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_4_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_4_memory_write_data : unsigned(11 downto 0);
+  signal transform_right_rows_read_words_3_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_3_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_3_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal transform_right_rows_read_words_2_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_2_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_2_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal transform_right_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal hold_back_held_0_memory_read_enable : boolean;
+  signal hold_back_held_0_memory_read_address : unsigned(11 downto 0);
+  signal hold_back_held_0_memory_write_address : unsigned(11 downto 0);
   signal hold_back_held_0_memory_write_data : unsigned(24 downto 0);
+  signal targets_rows_read_words_0_memory_read_enable : boolean;
+  signal targets_rows_read_words_0_memory_read_address : unsigned(2 downto 0);
+  signal targets_rows_read_words_0_memory_write_address : unsigned(2 downto 0);
   signal targets_rows_read_words_0_memory_write_data : unsigned(20 downto 0);
+  signal ranges_pairs_read_words_0_memory_read_enable : boolean;
+  signal ranges_pairs_read_words_0_memory_read_address : unsigned(3 downto 0);
+  signal ranges_pairs_read_words_0_memory_write_address : unsigned(3 downto 0);
   signal ranges_pairs_read_words_0_memory_write_data : unsigned(6 downto 0);
+  signal ranges_pixels_read_words_0_memory_read_enable : boolean;
+  signal ranges_pixels_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal ranges_pixels_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal ranges_pixels_read_words_0_memory_write_data : unsigned(7 downto 0);
+  signal coarseleftright_found_0_memory_read_enable : boolean;
+  signal coarseleftright_found_0_memory_read_address : unsigned(3 downto 0);
+  signal coarseleftright_found_0_memory_write_address : unsigned(3 downto 0);
   signal coarseleftright_found_0_memory_write_data : unsigned(2 downto 0);
+  signal coarseleftright_held_0_memory_read_enable : boolean;
+  signal coarseleftright_held_0_memory_read_address : unsigned(2 downto 0);
+  signal coarseleftright_held_0_memory_write_address : unsigned(2 downto 0);
   signal coarseleftright_held_0_memory_write_data : unsigned(12 downto 0);
+  signal coarserows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal coarserows_search_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal coarserows_search_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal coarserows_search_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
+  signal coarserows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal coarserows_search_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal coarserows_search_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal coarserows_search_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal coarserows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal coarserows_reference_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal coarserows_reference_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal coarserows_reference_rows_read_words_1_memory_write_data : unsigned(5 downto 0);
+  signal coarserows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal coarserows_reference_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal coarserows_reference_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal coarserows_reference_rows_read_words_0_memory_write_data : unsigned(29 downto 0);
+  signal coarsedelay_delayed_0_memory_read_enable : boolean;
+  signal coarsedelay_delayed_0_memory_read_address : unsigned(2 downto 0);
+  signal coarsedelay_delayed_0_memory_write_address : unsigned(2 downto 0);
   signal coarsedelay_delayed_0_memory_write_data : unsigned(5 downto 0);
+  signal coarsetransform_left_rows_read_words_1_memory_read_enable : boolean;
+  signal coarsetransform_left_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal coarsetransform_left_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal coarsetransform_left_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal coarsetransform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal coarsetransform_left_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal coarsetransform_left_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal coarsetransform_left_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal coarsetransform_right_rows_read_words_1_memory_read_enable : boolean;
+  signal coarsetransform_right_rows_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal coarsetransform_right_rows_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal coarsetransform_right_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal coarsetransform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal coarsetransform_right_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal coarsetransform_right_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal coarsetransform_right_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal coarse_pixels_read_word_0_memory_read_enable : boolean;
+  signal coarse_pixels_read_word_0_memory_read_address : unsigned(3 downto 0);
+  signal coarse_pixels_read_word_0_memory_write_address : unsigned(3 downto 0);
   signal coarse_pixels_read_word_0_memory_write_data : unsigned(31 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_passed_0), 1));
   disparity_valid <= as_bit(map_valid);
   disparity_start_of_frame <= as_bit(map_start_of_frame);
   disparity_end_of_line <= as_bit(map_end_of_line);
 
+  lowwindow_leaving_3_memory_read_enable <= true;
+  lowwindow_leaving_3_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 3);
+  lowwindow_leaving_3_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 3);
   lowwindow_leaving_3_memory_write_data <= to_unsigned(lowcost_column_0_15, 7) & to_unsigned(lowcost_column_0_14, 7) & to_unsigned(lowcost_column_0_13, 7) & to_unsigned(lowcost_column_0_12, 7);
   lowwindow_leaving_3_memory : entity work.line_memory
-    generic map (depth => 6, width => 28)
+    generic map (depth => 6, width => 28, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowwindow_ring_read_address, read_data => lowwindow_leaving_3,
-      write_address => lowwindow_ring_write_address, write_data => lowwindow_leaving_3_memory_write_data);
+      clock => clock, read_enable => lowwindow_leaving_3_memory_read_enable,
+      read_address => lowwindow_leaving_3_memory_read_address, read_data => lowwindow_leaving_3,
+      write_address => lowwindow_leaving_3_memory_write_address, write_data => lowwindow_leaving_3_memory_write_data);
 
+  lowwindow_leaving_2_memory_read_enable <= true;
+  lowwindow_leaving_2_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 3);
+  lowwindow_leaving_2_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 3);
   lowwindow_leaving_2_memory_write_data <= to_unsigned(lowcost_column_0_11, 7) & to_unsigned(lowcost_column_0_10, 7) & to_unsigned(lowcost_column_0_9, 7) & to_unsigned(lowcost_column_0_8, 7);
   lowwindow_leaving_2_memory : entity work.line_memory
-    generic map (depth => 6, width => 28)
+    generic map (depth => 6, width => 28, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowwindow_ring_read_address, read_data => lowwindow_leaving_2,
-      write_address => lowwindow_ring_write_address, write_data => lowwindow_leaving_2_memory_write_data);
+      clock => clock, read_enable => lowwindow_leaving_2_memory_read_enable,
+      read_address => lowwindow_leaving_2_memory_read_address, read_data => lowwindow_leaving_2,
+      write_address => lowwindow_leaving_2_memory_write_address, write_data => lowwindow_leaving_2_memory_write_data);
 
+  lowwindow_leaving_1_memory_read_enable <= true;
+  lowwindow_leaving_1_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 3);
+  lowwindow_leaving_1_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 3);
   lowwindow_leaving_1_memory_write_data <= to_unsigned(lowcost_column_0_7, 7) & to_unsigned(lowcost_column_0_6, 7) & to_unsigned(lowcost_column_0_5, 7) & to_unsigned(lowcost_column_0_4, 7);
   lowwindow_leaving_1_memory : entity work.line_memory
-    generic map (depth => 6, width => 28)
+    generic map (depth => 6, width => 28, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowwindow_ring_read_address, read_data => lowwindow_leaving_1,
-      write_address => lowwindow_ring_write_address, write_data => lowwindow_leaving_1_memory_write_data);
+      clock => clock, read_enable => lowwindow_leaving_1_memory_read_enable,
+      read_address => lowwindow_leaving_1_memory_read_address, read_data => lowwindow_leaving_1,
+      write_address => lowwindow_leaving_1_memory_write_address, write_data => lowwindow_leaving_1_memory_write_data);
 
+  lowwindow_leaving_0_memory_read_enable <= true;
+  lowwindow_leaving_0_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 3);
+  lowwindow_leaving_0_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 3);
   lowwindow_leaving_0_memory_write_data <= to_unsigned(lowcost_column_0_3, 7) & to_unsigned(lowcost_column_0_2, 7) & to_unsigned(lowcost_column_0_1, 7) & to_unsigned(lowcost_column_0_0, 7);
   lowwindow_leaving_0_memory : entity work.line_memory
-    generic map (depth => 6, width => 28)
+    generic map (depth => 6, width => 28, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowwindow_ring_read_address, read_data => lowwindow_leaving_0,
-      write_address => lowwindow_ring_write_address, write_data => lowwindow_leaving_0_memory_write_data);
+      clock => clock, read_enable => lowwindow_leaving_0_memory_read_enable,
+      read_address => lowwindow_leaving_0_memory_read_address, read_data => lowwindow_leaving_0,
+      write_address => lowwindow_leaving_0_memory_write_address, write_data => lowwindow_leaving_0_memory_write_data);
 
+  lowcost_read_words_3_memory_read_enable <= true;
+  lowcost_read_words_3_memory_read_address <= to_unsigned(lowcost_read_column, 6);
+  lowcost_read_words_3_memory_write_address <= to_unsigned(lowcost_write_column, 6);
   lowcost_read_words_3_memory_write_data <= to_unsigned(lowcost_write_words_3, 28);
   lowcost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 64, width => 28)
+    generic map (depth => 64, width => 28, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowcost_read_column, read_data => lowcost_read_words_3,
-      write_address => lowcost_write_column, write_data => lowcost_read_words_3_memory_write_data);
+      clock => clock, read_enable => lowcost_read_words_3_memory_read_enable,
+      read_address => lowcost_read_words_3_memory_read_address, read_data => lowcost_read_words_3,
+      write_address => lowcost_read_words_3_memory_write_address, write_data => lowcost_read_words_3_memory_write_data);
 
+  lowcost_read_words_2_memory_read_enable <= true;
+  lowcost_read_words_2_memory_read_address <= to_unsigned(lowcost_read_column, 6);
+  lowcost_read_words_2_memory_write_address <= to_unsigned(lowcost_write_column, 6);
   lowcost_read_words_2_memory_write_data <= to_unsigned(lowcost_write_words_2, 28);
   lowcost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 64, width => 28)
+    generic map (depth => 64, width => 28, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowcost_read_column, read_data => lowcost_read_words_2,
-      write_address => lowcost_write_column, write_data => lowcost_read_words_2_memory_write_data);
+      clock => clock, read_enable => lowcost_read_words_2_memory_read_enable,
+      read_address => lowcost_read_words_2_memory_read_address, read_data => lowcost_read_words_2,
+      write_address => lowcost_read_words_2_memory_write_address, write_data => lowcost_read_words_2_memory_write_data);
 
+  lowcost_read_words_1_memory_read_enable <= true;
+  lowcost_read_words_1_memory_read_address <= to_unsigned(lowcost_read_column, 6);
+  lowcost_read_words_1_memory_write_address <= to_unsigned(lowcost_write_column, 6);
   lowcost_read_words_1_memory_write_data <= to_unsigned(lowcost_write_words_1, 28);
   lowcost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 64, width => 28)
+    generic map (depth => 64, width => 28, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowcost_read_column, read_data => lowcost_read_words_1,
-      write_address => lowcost_write_column, write_data => lowcost_read_words_1_memory_write_data);
+      clock => clock, read_enable => lowcost_read_words_1_memory_read_enable,
+      read_address => lowcost_read_words_1_memory_read_address, read_data => lowcost_read_words_1,
+      write_address => lowcost_read_words_1_memory_write_address, write_data => lowcost_read_words_1_memory_write_data);
 
+  lowcost_read_words_0_memory_read_enable <= true;
+  lowcost_read_words_0_memory_read_address <= to_unsigned(lowcost_read_column, 6);
+  lowcost_read_words_0_memory_write_address <= to_unsigned(lowcost_write_column, 6);
   lowcost_read_words_0_memory_write_data <= to_unsigned(lowcost_write_words_0, 28);
   lowcost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 64, width => 28)
+    generic map (depth => 64, width => 28, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowcost_read_column, read_data => lowcost_read_words_0,
-      write_address => lowcost_write_column, write_data => lowcost_read_words_0_memory_write_data);
+      clock => clock, read_enable => lowcost_read_words_0_memory_read_enable,
+      read_address => lowcost_read_words_0_memory_read_address, read_data => lowcost_read_words_0,
+      write_address => lowcost_read_words_0_memory_write_address, write_data => lowcost_read_words_0_memory_write_data);
 
+  highwindow_leaving_3_memory_read_enable <= true;
+  highwindow_leaving_3_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 3);
+  highwindow_leaving_3_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 3);
   highwindow_leaving_3_memory_write_data <= to_unsigned(highcost_column_0_15, 7) & to_unsigned(highcost_column_0_14, 7) & to_unsigned(highcost_column_0_13, 7) & to_unsigned(highcost_column_0_12, 7);
   highwindow_leaving_3_memory : entity work.line_memory
-    generic map (depth => 6, width => 28)
+    generic map (depth => 6, width => 28, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowwindow_ring_read_address, read_data => highwindow_leaving_3,
-      write_address => lowwindow_ring_write_address, write_data => highwindow_leaving_3_memory_write_data);
+      clock => clock, read_enable => highwindow_leaving_3_memory_read_enable,
+      read_address => highwindow_leaving_3_memory_read_address, read_data => highwindow_leaving_3,
+      write_address => highwindow_leaving_3_memory_write_address, write_data => highwindow_leaving_3_memory_write_data);
 
+  highwindow_leaving_2_memory_read_enable <= true;
+  highwindow_leaving_2_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 3);
+  highwindow_leaving_2_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 3);
   highwindow_leaving_2_memory_write_data <= to_unsigned(highcost_column_0_11, 7) & to_unsigned(highcost_column_0_10, 7) & to_unsigned(highcost_column_0_9, 7) & to_unsigned(highcost_column_0_8, 7);
   highwindow_leaving_2_memory : entity work.line_memory
-    generic map (depth => 6, width => 28)
+    generic map (depth => 6, width => 28, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowwindow_ring_read_address, read_data => highwindow_leaving_2,
-      write_address => lowwindow_ring_write_address, write_data => highwindow_leaving_2_memory_write_data);
+      clock => clock, read_enable => highwindow_leaving_2_memory_read_enable,
+      read_address => highwindow_leaving_2_memory_read_address, read_data => highwindow_leaving_2,
+      write_address => highwindow_leaving_2_memory_write_address, write_data => highwindow_leaving_2_memory_write_data);
 
+  highwindow_leaving_1_memory_read_enable <= true;
+  highwindow_leaving_1_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 3);
+  highwindow_leaving_1_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 3);
   highwindow_leaving_1_memory_write_data <= to_unsigned(highcost_column_0_7, 7) & to_unsigned(highcost_column_0_6, 7) & to_unsigned(highcost_column_0_5, 7) & to_unsigned(highcost_column_0_4, 7);
   highwindow_leaving_1_memory : entity work.line_memory
-    generic map (depth => 6, width => 28)
+    generic map (depth => 6, width => 28, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowwindow_ring_read_address, read_data => highwindow_leaving_1,
-      write_address => lowwindow_ring_write_address, write_data => highwindow_leaving_1_memory_write_data);
+      clock => clock, read_enable => highwindow_leaving_1_memory_read_enable,
+      read_address => highwindow_leaving_1_memory_read_address, read_data => highwindow_leaving_1,
+      write_address => highwindow_leaving_1_memory_write_address, write_data => highwindow_leaving_1_memory_write_data);
 
+  highwindow_leaving_0_memory_read_enable <= true;
+  highwindow_leaving_0_memory_read_address <= to_unsigned(lowwindow_ring_read_address, 3);
+  highwindow_leaving_0_memory_write_address <= to_unsigned(lowwindow_ring_write_address, 3);
   highwindow_leaving_0_memory_write_data <= to_unsigned(highcost_column_0_3, 7) & to_unsigned(highcost_column_0_2, 7) & to_unsigned(highcost_column_0_1, 7) & to_unsigned(highcost_column_0_0, 7);
   highwindow_leaving_0_memory : entity work.line_memory
-    generic map (depth => 6, width => 28)
+    generic map (depth => 6, width => 28, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowwindow_ring_read_address, read_data => highwindow_leaving_0,
-      write_address => lowwindow_ring_write_address, write_data => highwindow_leaving_0_memory_write_data);
+      clock => clock, read_enable => highwindow_leaving_0_memory_read_enable,
+      read_address => highwindow_leaving_0_memory_read_address, read_data => highwindow_leaving_0,
+      write_address => highwindow_leaving_0_memory_write_address, write_data => highwindow_leaving_0_memory_write_data);
 
+  highcost_read_words_3_memory_read_enable <= true;
+  highcost_read_words_3_memory_read_address <= to_unsigned(lowcost_read_column, 6);
+  highcost_read_words_3_memory_write_address <= to_unsigned(lowcost_write_column, 6);
   highcost_read_words_3_memory_write_data <= to_unsigned(highcost_write_words_3, 28);
   highcost_read_words_3_memory : entity work.line_memory
-    generic map (depth => 64, width => 28)
+    generic map (depth => 64, width => 28, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowcost_read_column, read_data => highcost_read_words_3,
-      write_address => lowcost_write_column, write_data => highcost_read_words_3_memory_write_data);
+      clock => clock, read_enable => highcost_read_words_3_memory_read_enable,
+      read_address => highcost_read_words_3_memory_read_address, read_data => highcost_read_words_3,
+      write_address => highcost_read_words_3_memory_write_address, write_data => highcost_read_words_3_memory_write_data);
 
+  highcost_read_words_2_memory_read_enable <= true;
+  highcost_read_words_2_memory_read_address <= to_unsigned(lowcost_read_column, 6);
+  highcost_read_words_2_memory_write_address <= to_unsigned(lowcost_write_column, 6);
   highcost_read_words_2_memory_write_data <= to_unsigned(highcost_write_words_2, 28);
   highcost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 64, width => 28)
+    generic map (depth => 64, width => 28, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowcost_read_column, read_data => highcost_read_words_2,
-      write_address => lowcost_write_column, write_data => highcost_read_words_2_memory_write_data);
+      clock => clock, read_enable => highcost_read_words_2_memory_read_enable,
+      read_address => highcost_read_words_2_memory_read_address, read_data => highcost_read_words_2,
+      write_address => highcost_read_words_2_memory_write_address, write_data => highcost_read_words_2_memory_write_data);
 
+  highcost_read_words_1_memory_read_enable <= true;
+  highcost_read_words_1_memory_read_address <= to_unsigned(lowcost_read_column, 6);
+  highcost_read_words_1_memory_write_address <= to_unsigned(lowcost_write_column, 6);
   highcost_read_words_1_memory_write_data <= to_unsigned(highcost_write_words_1, 28);
   highcost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 64, width => 28)
+    generic map (depth => 64, width => 28, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowcost_read_column, read_data => highcost_read_words_1,
-      write_address => lowcost_write_column, write_data => highcost_read_words_1_memory_write_data);
+      clock => clock, read_enable => highcost_read_words_1_memory_read_enable,
+      read_address => highcost_read_words_1_memory_read_address, read_data => highcost_read_words_1,
+      write_address => highcost_read_words_1_memory_write_address, write_data => highcost_read_words_1_memory_write_data);
 
+  highcost_read_words_0_memory_read_enable <= true;
+  highcost_read_words_0_memory_read_address <= to_unsigned(lowcost_read_column, 6);
+  highcost_read_words_0_memory_write_address <= to_unsigned(lowcost_write_column, 6);
   highcost_read_words_0_memory_write_data <= to_unsigned(highcost_write_words_0, 28);
   highcost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 64, width => 28)
+    generic map (depth => 64, width => 28, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => lowcost_read_column, read_data => highcost_read_words_0,
-      write_address => lowcost_write_column, write_data => highcost_read_words_0_memory_write_data);
+      clock => clock, read_enable => highcost_read_words_0_memory_read_enable,
+      read_address => highcost_read_words_0_memory_read_address, read_data => highcost_read_words_0,
+      write_address => highcost_read_words_0_memory_write_address, write_data => highcost_read_words_0_memory_write_data);
 
+  compared_rows_read_words_2_memory_read_enable <= true;
+  compared_rows_read_words_2_memory_read_address <= to_unsigned(bases_asked_column, 6);
+  compared_rows_read_words_2_memory_write_address <= to_unsigned(bases_wanted_column, 6);
   compared_rows_read_words_2_memory_write_data <= to_unsigned(compared_rows_write_words_2, 12);
   compared_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 64, width => 12)
+    generic map (depth => 64, width => 12, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => bases_asked_column, read_data => compared_rows_read_words_2,
-      write_address => bases_wanted_column, write_data => compared_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => compared_rows_read_words_2_memory_read_enable,
+      read_address => compared_rows_read_words_2_memory_read_address, read_data => compared_rows_read_words_2,
+      write_address => compared_rows_read_words_2_memory_write_address, write_data => compared_rows_read_words_2_memory_write_data);
 
+  compared_rows_read_words_1_memory_read_enable <= true;
+  compared_rows_read_words_1_memory_read_address <= to_unsigned(bases_asked_column, 6);
+  compared_rows_read_words_1_memory_write_address <= to_unsigned(bases_wanted_column, 6);
   compared_rows_read_words_1_memory_write_data <= to_unsigned(compared_rows_write_words_1, 24);
   compared_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 64, width => 24)
+    generic map (depth => 64, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => bases_asked_column, read_data => compared_rows_read_words_1,
-      write_address => bases_wanted_column, write_data => compared_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => compared_rows_read_words_1_memory_read_enable,
+      read_address => compared_rows_read_words_1_memory_read_address, read_data => compared_rows_read_words_1,
+      write_address => compared_rows_read_words_1_memory_write_address, write_data => compared_rows_read_words_1_memory_write_data);
 
+  compared_rows_read_words_0_memory_read_enable <= true;
+  compared_rows_read_words_0_memory_read_address <= to_unsigned(bases_asked_column, 6);
+  compared_rows_read_words_0_memory_write_address <= to_unsigned(bases_wanted_column, 6);
   compared_rows_read_words_0_memory_write_data <= to_unsigned(compared_rows_write_words_0, 24);
   compared_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 64, width => 24)
+    generic map (depth => 64, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => bases_asked_column, read_data => compared_rows_read_words_0,
-      write_address => bases_wanted_column, write_data => compared_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => compared_rows_read_words_0_memory_read_enable,
+      read_address => compared_rows_read_words_0_memory_read_address, read_data => compared_rows_read_words_0,
+      write_address => compared_rows_read_words_0_memory_write_address, write_data => compared_rows_read_words_0_memory_write_data);
 
+  pairs_delayed_0_memory_read_enable <= true;
+  pairs_delayed_0_memory_read_address <= to_unsigned(pairs_ring_read_address, 4);
+  pairs_delayed_0_memory_write_address <= to_unsigned(pairs_ring_write_address, 4);
   pairs_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 12);
   pairs_delayed_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 12)
+    generic map (depth => 16, width => 12, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => pairs_ring_read_address, read_data => pairs_delayed_0,
-      write_address => pairs_ring_write_address, write_data => pairs_delayed_0_memory_write_data);
+      clock => clock, read_enable => pairs_delayed_0_memory_read_enable,
+      read_address => pairs_delayed_0_memory_read_address, read_data => pairs_delayed_0,
+      write_address => pairs_delayed_0_memory_write_address, write_data => pairs_delayed_0_memory_write_data);
 
+  rows_read_codes_15_memory_read_enable <= true;
+  rows_read_codes_15_memory_read_address <= to_unsigned(rows_address_15, 7);
+  rows_read_codes_15_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_15_memory_write_data <= to_unsigned(rows_write_codes_3, 12);
   rows_read_codes_15_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_15, read_data => rows_read_codes_15,
-      write_address => rows_write_word, write_data => rows_read_codes_15_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_15_memory_read_enable,
+      read_address => rows_read_codes_15_memory_read_address, read_data => rows_read_codes_15,
+      write_address => rows_read_codes_15_memory_write_address, write_data => rows_read_codes_15_memory_write_data);
 
+  rows_read_codes_14_memory_read_enable <= true;
+  rows_read_codes_14_memory_read_address <= to_unsigned(rows_address_14, 7);
+  rows_read_codes_14_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_14_memory_write_data <= to_unsigned(rows_write_codes_2, 12);
   rows_read_codes_14_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_14, read_data => rows_read_codes_14,
-      write_address => rows_write_word, write_data => rows_read_codes_14_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_14_memory_read_enable,
+      read_address => rows_read_codes_14_memory_read_address, read_data => rows_read_codes_14,
+      write_address => rows_read_codes_14_memory_write_address, write_data => rows_read_codes_14_memory_write_data);
 
+  rows_read_codes_13_memory_read_enable <= true;
+  rows_read_codes_13_memory_read_address <= to_unsigned(rows_address_13, 7);
+  rows_read_codes_13_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_13_memory_write_data <= to_unsigned(rows_write_codes_1, 12);
   rows_read_codes_13_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_13, read_data => rows_read_codes_13,
-      write_address => rows_write_word, write_data => rows_read_codes_13_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_13_memory_read_enable,
+      read_address => rows_read_codes_13_memory_read_address, read_data => rows_read_codes_13,
+      write_address => rows_read_codes_13_memory_write_address, write_data => rows_read_codes_13_memory_write_data);
 
+  rows_read_codes_12_memory_read_enable <= true;
+  rows_read_codes_12_memory_read_address <= to_unsigned(rows_address_12, 7);
+  rows_read_codes_12_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_12_memory_write_data <= to_unsigned(rows_write_codes_0, 12);
   rows_read_codes_12_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_12, read_data => rows_read_codes_12,
-      write_address => rows_write_word, write_data => rows_read_codes_12_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_12_memory_read_enable,
+      read_address => rows_read_codes_12_memory_read_address, read_data => rows_read_codes_12,
+      write_address => rows_read_codes_12_memory_write_address, write_data => rows_read_codes_12_memory_write_data);
 
+  rows_read_codes_11_memory_read_enable <= true;
+  rows_read_codes_11_memory_read_address <= to_unsigned(rows_address_11, 7);
+  rows_read_codes_11_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_11_memory_write_data <= to_unsigned(rows_write_codes_3, 12);
   rows_read_codes_11_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_11, read_data => rows_read_codes_11,
-      write_address => rows_write_word, write_data => rows_read_codes_11_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_11_memory_read_enable,
+      read_address => rows_read_codes_11_memory_read_address, read_data => rows_read_codes_11,
+      write_address => rows_read_codes_11_memory_write_address, write_data => rows_read_codes_11_memory_write_data);
 
+  rows_read_codes_10_memory_read_enable <= true;
+  rows_read_codes_10_memory_read_address <= to_unsigned(rows_address_10, 7);
+  rows_read_codes_10_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_10_memory_write_data <= to_unsigned(rows_write_codes_2, 12);
   rows_read_codes_10_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_10, read_data => rows_read_codes_10,
-      write_address => rows_write_word, write_data => rows_read_codes_10_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_10_memory_read_enable,
+      read_address => rows_read_codes_10_memory_read_address, read_data => rows_read_codes_10,
+      write_address => rows_read_codes_10_memory_write_address, write_data => rows_read_codes_10_memory_write_data);
 
+  rows_read_codes_9_memory_read_enable <= true;
+  rows_read_codes_9_memory_read_address <= to_unsigned(rows_address_9, 7);
+  rows_read_codes_9_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_9_memory_write_data <= to_unsigned(rows_write_codes_1, 12);
   rows_read_codes_9_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_9, read_data => rows_read_codes_9,
-      write_address => rows_write_word, write_data => rows_read_codes_9_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_9_memory_read_enable,
+      read_address => rows_read_codes_9_memory_read_address, read_data => rows_read_codes_9,
+      write_address => rows_read_codes_9_memory_write_address, write_data => rows_read_codes_9_memory_write_data);
 
+  rows_read_codes_8_memory_read_enable <= true;
+  rows_read_codes_8_memory_read_address <= to_unsigned(rows_address_8, 7);
+  rows_read_codes_8_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_8_memory_write_data <= to_unsigned(rows_write_codes_0, 12);
   rows_read_codes_8_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_8, read_data => rows_read_codes_8,
-      write_address => rows_write_word, write_data => rows_read_codes_8_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_8_memory_read_enable,
+      read_address => rows_read_codes_8_memory_read_address, read_data => rows_read_codes_8,
+      write_address => rows_read_codes_8_memory_write_address, write_data => rows_read_codes_8_memory_write_data);
 
+  rows_read_codes_7_memory_read_enable <= true;
+  rows_read_codes_7_memory_read_address <= to_unsigned(rows_address_7, 7);
+  rows_read_codes_7_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_7_memory_write_data <= to_unsigned(rows_write_codes_3, 12);
   rows_read_codes_7_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_7, read_data => rows_read_codes_7,
-      write_address => rows_write_word, write_data => rows_read_codes_7_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_7_memory_read_enable,
+      read_address => rows_read_codes_7_memory_read_address, read_data => rows_read_codes_7,
+      write_address => rows_read_codes_7_memory_write_address, write_data => rows_read_codes_7_memory_write_data);
 
+  rows_read_codes_6_memory_read_enable <= true;
+  rows_read_codes_6_memory_read_address <= to_unsigned(rows_address_6, 7);
+  rows_read_codes_6_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_6_memory_write_data <= to_unsigned(rows_write_codes_2, 12);
   rows_read_codes_6_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_6, read_data => rows_read_codes_6,
-      write_address => rows_write_word, write_data => rows_read_codes_6_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_6_memory_read_enable,
+      read_address => rows_read_codes_6_memory_read_address, read_data => rows_read_codes_6,
+      write_address => rows_read_codes_6_memory_write_address, write_data => rows_read_codes_6_memory_write_data);
 
+  rows_read_codes_5_memory_read_enable <= true;
+  rows_read_codes_5_memory_read_address <= to_unsigned(rows_address_5, 7);
+  rows_read_codes_5_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_5_memory_write_data <= to_unsigned(rows_write_codes_1, 12);
   rows_read_codes_5_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_5, read_data => rows_read_codes_5,
-      write_address => rows_write_word, write_data => rows_read_codes_5_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_5_memory_read_enable,
+      read_address => rows_read_codes_5_memory_read_address, read_data => rows_read_codes_5,
+      write_address => rows_read_codes_5_memory_write_address, write_data => rows_read_codes_5_memory_write_data);
 
+  rows_read_codes_4_memory_read_enable <= true;
+  rows_read_codes_4_memory_read_address <= to_unsigned(rows_address_4, 7);
+  rows_read_codes_4_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_4_memory_write_data <= to_unsigned(rows_write_codes_0, 12);
   rows_read_codes_4_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_4, read_data => rows_read_codes_4,
-      write_address => rows_write_word, write_data => rows_read_codes_4_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_4_memory_read_enable,
+      read_address => rows_read_codes_4_memory_read_address, read_data => rows_read_codes_4,
+      write_address => rows_read_codes_4_memory_write_address, write_data => rows_read_codes_4_memory_write_data);
 
+  rows_read_codes_3_memory_read_enable <= true;
+  rows_read_codes_3_memory_read_address <= to_unsigned(rows_address_3, 7);
+  rows_read_codes_3_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_3_memory_write_data <= to_unsigned(rows_write_codes_3, 12);
   rows_read_codes_3_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_3, read_data => rows_read_codes_3,
-      write_address => rows_write_word, write_data => rows_read_codes_3_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_3_memory_read_enable,
+      read_address => rows_read_codes_3_memory_read_address, read_data => rows_read_codes_3,
+      write_address => rows_read_codes_3_memory_write_address, write_data => rows_read_codes_3_memory_write_data);
 
+  rows_read_codes_2_memory_read_enable <= true;
+  rows_read_codes_2_memory_read_address <= to_unsigned(rows_address_2, 7);
+  rows_read_codes_2_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_2_memory_write_data <= to_unsigned(rows_write_codes_2, 12);
   rows_read_codes_2_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_2, read_data => rows_read_codes_2,
-      write_address => rows_write_word, write_data => rows_read_codes_2_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_2_memory_read_enable,
+      read_address => rows_read_codes_2_memory_read_address, read_data => rows_read_codes_2,
+      write_address => rows_read_codes_2_memory_write_address, write_data => rows_read_codes_2_memory_write_data);
 
+  rows_read_codes_1_memory_read_enable <= true;
+  rows_read_codes_1_memory_read_address <= to_unsigned(rows_address_1, 7);
+  rows_read_codes_1_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_1_memory_write_data <= to_unsigned(rows_write_codes_1, 12);
   rows_read_codes_1_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_1, read_data => rows_read_codes_1,
-      write_address => rows_write_word, write_data => rows_read_codes_1_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_1_memory_read_enable,
+      read_address => rows_read_codes_1_memory_read_address, read_data => rows_read_codes_1,
+      write_address => rows_read_codes_1_memory_write_address, write_data => rows_read_codes_1_memory_write_data);
 
+  rows_read_codes_0_memory_read_enable <= true;
+  rows_read_codes_0_memory_read_address <= to_unsigned(rows_address_0, 7);
+  rows_read_codes_0_memory_write_address <= to_unsigned(rows_write_word, 7);
   rows_read_codes_0_memory_write_data <= to_unsigned(rows_write_codes_0, 12);
   rows_read_codes_0_memory : entity work.line_memory
-    generic map (depth => 113, width => 12)
+    generic map (depth => 113, width => 12, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rows_address_0, read_data => rows_read_codes_0,
-      write_address => rows_write_word, write_data => rows_read_codes_0_memory_write_data);
+      clock => clock, read_enable => rows_read_codes_0_memory_read_enable,
+      read_address => rows_read_codes_0_memory_read_address, read_data => rows_read_codes_0,
+      write_address => rows_read_codes_0_memory_write_address, write_data => rows_read_codes_0_memory_write_data);
 
+  bases_read_targets_2_memory_read_enable <= true;
+  bases_read_targets_2_memory_read_address <= to_unsigned(bases_address_2, 6);
+  bases_read_targets_2_memory_write_address <= to_unsigned(targets_place, 6);
   bases_read_targets_2_memory_write_data <= ((to_unsigned(targets_high, 8) & to_unsigned(0, 8)) or (to_unsigned(targets_low, 16)));
   bases_read_targets_2_memory : entity work.line_memory
-    generic map (depth => 64, width => 16)
+    generic map (depth => 64, width => 16, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => bases_address_2, read_data => bases_read_targets_2,
-      write_address => targets_place, write_data => bases_read_targets_2_memory_write_data);
+      clock => clock, read_enable => bases_read_targets_2_memory_read_enable,
+      read_address => bases_read_targets_2_memory_read_address, read_data => bases_read_targets_2,
+      write_address => bases_read_targets_2_memory_write_address, write_data => bases_read_targets_2_memory_write_data);
 
+  bases_read_targets_1_memory_read_enable <= true;
+  bases_read_targets_1_memory_read_address <= to_unsigned(bases_address_1, 6);
+  bases_read_targets_1_memory_write_address <= to_unsigned(targets_place, 6);
   bases_read_targets_1_memory_write_data <= ((to_unsigned(targets_high, 8) & to_unsigned(0, 8)) or (to_unsigned(targets_low, 16)));
   bases_read_targets_1_memory : entity work.line_memory
-    generic map (depth => 64, width => 16)
+    generic map (depth => 64, width => 16, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => bases_address_1, read_data => bases_read_targets_1,
-      write_address => targets_place, write_data => bases_read_targets_1_memory_write_data);
+      clock => clock, read_enable => bases_read_targets_1_memory_read_enable,
+      read_address => bases_read_targets_1_memory_read_address, read_data => bases_read_targets_1,
+      write_address => bases_read_targets_1_memory_write_address, write_data => bases_read_targets_1_memory_write_data);
 
+  bases_read_targets_0_memory_read_enable <= true;
+  bases_read_targets_0_memory_read_address <= to_unsigned(bases_address_0, 6);
+  bases_read_targets_0_memory_write_address <= to_unsigned(targets_place, 6);
   bases_read_targets_0_memory_write_data <= ((to_unsigned(targets_high, 8) & to_unsigned(0, 8)) or (to_unsigned(targets_low, 16)));
   bases_read_targets_0_memory : entity work.line_memory
-    generic map (depth => 64, width => 16)
+    generic map (depth => 64, width => 16, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => bases_address_0, read_data => bases_read_targets_0,
-      write_address => targets_place, write_data => bases_read_targets_0_memory_write_data);
+      clock => clock, read_enable => bases_read_targets_0_memory_read_enable,
+      read_address => bases_read_targets_0_memory_read_address, read_data => bases_read_targets_0,
+      write_address => bases_read_targets_0_memory_write_address, write_data => bases_read_targets_0_memory_write_data);
 
+  ahead_held_0_memory_read_enable <= true;
+  ahead_held_0_memory_read_address <= to_unsigned(ahead_ring_read_address, 5);
+  ahead_held_0_memory_write_address <= to_unsigned(ahead_ring_write_address, 5);
   ahead_held_0_memory_write_data <= to_unsigned(transform_right_code_next_bits, 6) & to_unsigned(transform_right_code_bits, 6) & to_unsigned(as_number(transform_filtering_7_start_of_frame), 1);
   ahead_held_0_memory : entity work.line_memory
-    generic map (depth => 21, width => 13)
+    generic map (depth => 21, width => 13, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => ahead_ring_read_address, read_data => ahead_held_0,
-      write_address => ahead_ring_write_address, write_data => ahead_held_0_memory_write_data);
+      clock => clock, read_enable => ahead_held_0_memory_read_enable,
+      read_address => ahead_held_0_memory_read_address, read_data => ahead_held_0,
+      write_address => ahead_held_0_memory_write_address, write_data => ahead_held_0_memory_write_data);
 
+  transform_left_rows_read_words_4_memory_read_enable <= true;
+  transform_left_rows_read_words_4_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_4_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_4_memory_write_data <= to_unsigned(transform_left_rows_write_words_4, 12);
   transform_left_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 64, width => 12)
+    generic map (depth => 64, width => 12, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_4,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_4_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_4_memory_read_enable,
+      read_address => transform_left_rows_read_words_4_memory_read_address, read_data => transform_left_rows_read_words_4,
+      write_address => transform_left_rows_read_words_4_memory_write_address, write_data => transform_left_rows_read_words_4_memory_write_data);
 
+  transform_left_rows_read_words_3_memory_read_enable <= true;
+  transform_left_rows_read_words_3_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_3_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_3_memory_write_data <= to_unsigned(transform_left_rows_write_words_3, 24);
   transform_left_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 64, width => 24)
+    generic map (depth => 64, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_3,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_3_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_3_memory_read_enable,
+      read_address => transform_left_rows_read_words_3_memory_read_address, read_data => transform_left_rows_read_words_3,
+      write_address => transform_left_rows_read_words_3_memory_write_address, write_data => transform_left_rows_read_words_3_memory_write_data);
 
+  transform_left_rows_read_words_2_memory_read_enable <= true;
+  transform_left_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_2_memory_write_data <= to_unsigned(transform_left_rows_write_words_2, 24);
   transform_left_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 64, width => 24)
+    generic map (depth => 64, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_2,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_2_memory_read_enable,
+      read_address => transform_left_rows_read_words_2_memory_read_address, read_data => transform_left_rows_read_words_2,
+      write_address => transform_left_rows_read_words_2_memory_write_address, write_data => transform_left_rows_read_words_2_memory_write_data);
 
+  transform_left_rows_read_words_1_memory_read_enable <= true;
+  transform_left_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_1_memory_write_data <= to_unsigned(transform_left_rows_write_words_1, 24);
   transform_left_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 64, width => 24)
+    generic map (depth => 64, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_1_memory_read_enable,
+      read_address => transform_left_rows_read_words_1_memory_read_address, read_data => transform_left_rows_read_words_1,
+      write_address => transform_left_rows_read_words_1_memory_write_address, write_data => transform_left_rows_read_words_1_memory_write_data);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 24);
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 64, width => 24)
+    generic map (depth => 64, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_4_memory_read_enable <= true;
+  transform_right_rows_read_words_4_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_4_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_4_memory_write_data <= to_unsigned(transform_right_rows_write_words_4, 12);
   transform_right_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 64, width => 12)
+    generic map (depth => 64, width => 12, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_4,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_4_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_4_memory_read_enable,
+      read_address => transform_right_rows_read_words_4_memory_read_address, read_data => transform_right_rows_read_words_4,
+      write_address => transform_right_rows_read_words_4_memory_write_address, write_data => transform_right_rows_read_words_4_memory_write_data);
 
+  transform_right_rows_read_words_3_memory_read_enable <= true;
+  transform_right_rows_read_words_3_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_3_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_3_memory_write_data <= to_unsigned(transform_right_rows_write_words_3, 24);
   transform_right_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 64, width => 24)
+    generic map (depth => 64, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_3,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_3_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_3_memory_read_enable,
+      read_address => transform_right_rows_read_words_3_memory_read_address, read_data => transform_right_rows_read_words_3,
+      write_address => transform_right_rows_read_words_3_memory_write_address, write_data => transform_right_rows_read_words_3_memory_write_data);
 
+  transform_right_rows_read_words_2_memory_read_enable <= true;
+  transform_right_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_2_memory_write_data <= to_unsigned(transform_right_rows_write_words_2, 24);
   transform_right_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 64, width => 24)
+    generic map (depth => 64, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_2,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_2_memory_read_enable,
+      read_address => transform_right_rows_read_words_2_memory_read_address, read_data => transform_right_rows_read_words_2,
+      write_address => transform_right_rows_read_words_2_memory_write_address, write_data => transform_right_rows_read_words_2_memory_write_data);
 
+  transform_right_rows_read_words_1_memory_read_enable <= true;
+  transform_right_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_1_memory_write_data <= to_unsigned(transform_right_rows_write_words_1, 24);
   transform_right_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 64, width => 24)
+    generic map (depth => 64, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_1_memory_read_enable,
+      read_address => transform_right_rows_read_words_1_memory_read_address, read_data => transform_right_rows_read_words_1,
+      write_address => transform_right_rows_read_words_1_memory_write_address, write_data => transform_right_rows_read_words_1_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 24);
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 64, width => 24)
+    generic map (depth => 64, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
+  hold_back_held_0_memory_read_enable <= true;
+  hold_back_held_0_memory_read_address <= to_unsigned(hold_back_ring_read_address, 12);
+  hold_back_held_0_memory_write_address <= to_unsigned(hold_back_ring_write_address, 12);
   hold_back_held_0_memory_write_data <= to_unsigned(in_right_pixel, 12) & to_unsigned(in_left_pixel, 12) & to_unsigned(as_number(in_start_of_frame), 1);
   hold_back_held_0_memory : entity work.line_memory
-    generic map (depth => 2616, width => 25)
+    generic map (depth => 2616, width => 25, address_bits => 12)
     port map (
-      clock => clock, read_enable => true,
-      read_address => hold_back_ring_read_address, read_data => hold_back_held_0,
-      write_address => hold_back_ring_write_address, write_data => hold_back_held_0_memory_write_data);
+      clock => clock, read_enable => hold_back_held_0_memory_read_enable,
+      read_address => hold_back_held_0_memory_read_address, read_data => hold_back_held_0,
+      write_address => hold_back_held_0_memory_write_address, write_data => hold_back_held_0_memory_write_data);
 
+  targets_rows_read_words_0_memory_read_enable <= true;
+  targets_rows_read_words_0_memory_read_address <= to_unsigned(targets_read_column, 3);
+  targets_rows_read_words_0_memory_write_address <= to_unsigned(targets_write_column, 3);
   targets_rows_read_words_0_memory_write_data <= to_unsigned(targets_rows_write_words_0, 21);
   targets_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 21)
+    generic map (depth => 8, width => 21, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => targets_read_column, read_data => targets_rows_read_words_0,
-      write_address => targets_write_column, write_data => targets_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => targets_rows_read_words_0_memory_read_enable,
+      read_address => targets_rows_read_words_0_memory_read_address, read_data => targets_rows_read_words_0,
+      write_address => targets_rows_read_words_0_memory_write_address, write_data => targets_rows_read_words_0_memory_write_data);
 
+  ranges_pairs_read_words_0_memory_read_enable <= true;
+  ranges_pairs_read_words_0_memory_read_address <= to_unsigned(ranges_paired_column, 4);
+  ranges_pairs_read_words_0_memory_write_address <= to_unsigned(ranges_pairs_written, 4);
   ranges_pairs_read_words_0_memory_write_data <= to_unsigned(ranges_pairs_write_words_0, 7);
   ranges_pairs_read_words_0_memory : entity work.line_memory
-    generic map (depth => 9, width => 7)
+    generic map (depth => 9, width => 7, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => ranges_paired_column, read_data => ranges_pairs_read_words_0,
-      write_address => ranges_pairs_written, write_data => ranges_pairs_read_words_0_memory_write_data);
+      clock => clock, read_enable => ranges_pairs_read_words_0_memory_read_enable,
+      read_address => ranges_pairs_read_words_0_memory_read_address, read_data => ranges_pairs_read_words_0,
+      write_address => ranges_pairs_read_words_0_memory_write_address, write_data => ranges_pairs_read_words_0_memory_write_data);
 
+  ranges_pixels_read_words_0_memory_read_enable <= true;
+  ranges_pixels_read_words_0_memory_read_address <= to_unsigned(ranges_in_column, 5);
+  ranges_pixels_read_words_0_memory_write_address <= to_unsigned(ranges_pixels_written, 5);
   ranges_pixels_read_words_0_memory_write_data <= to_unsigned(ranges_pixels_write_words_0, 8);
   ranges_pixels_read_words_0_memory : entity work.line_memory
-    generic map (depth => 17, width => 8)
+    generic map (depth => 17, width => 8, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => ranges_in_column, read_data => ranges_pixels_read_words_0,
-      write_address => ranges_pixels_written, write_data => ranges_pixels_read_words_0_memory_write_data);
+      clock => clock, read_enable => ranges_pixels_read_words_0_memory_read_enable,
+      read_address => ranges_pixels_read_words_0_memory_read_address, read_data => ranges_pixels_read_words_0,
+      write_address => ranges_pixels_read_words_0_memory_write_address, write_data => ranges_pixels_read_words_0_memory_write_data);
 
+  coarseleftright_found_0_memory_read_enable <= true;
+  coarseleftright_found_0_memory_read_address <= to_unsigned(coarseleftright_address_0, 4);
+  coarseleftright_found_0_memory_write_address <= to_unsigned(coarseleftright_position, 4);
   coarseleftright_found_0_memory_write_data <= to_unsigned(coarseleftright_other_3_0, 3);
   coarseleftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 3)
+    generic map (depth => 16, width => 3, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => coarseleftright_address_0, read_data => coarseleftright_found_0,
-      write_address => coarseleftright_position, write_data => coarseleftright_found_0_memory_write_data);
+      clock => clock, read_enable => coarseleftright_found_0_memory_read_enable,
+      read_address => coarseleftright_found_0_memory_read_address, read_data => coarseleftright_found_0,
+      write_address => coarseleftright_found_0_memory_write_address, write_data => coarseleftright_found_0_memory_write_data);
 
+  coarseleftright_held_0_memory_read_enable <= true;
+  coarseleftright_held_0_memory_read_address <= to_unsigned(coarseleftright_ring_read_address, 3);
+  coarseleftright_held_0_memory_write_address <= to_unsigned(coarseleftright_ring_write_address, 3);
   coarseleftright_held_0_memory_write_data <= to_unsigned(1, 1) & to_unsigned(coarseslice0_best_index_0_0, 8) & to_unsigned(as_number(coarseslice0_best_tag_end_of_line), 1) & to_unsigned(as_number(coarseslice0_best_tag_start_of_frame), 1) & to_unsigned(as_number(coarseslice0_best_tag_output_column), 1) & to_unsigned(as_number(coarseslice0_best_tag_map_column), 1);
   coarseleftright_held_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 13)
+    generic map (depth => 8, width => 13, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => coarseleftright_ring_read_address, read_data => coarseleftright_held_0,
-      write_address => coarseleftright_ring_write_address, write_data => coarseleftright_held_0_memory_write_data);
+      clock => clock, read_enable => coarseleftright_held_0_memory_read_enable,
+      read_address => coarseleftright_held_0_memory_read_address, read_data => coarseleftright_held_0,
+      write_address => coarseleftright_held_0_memory_write_address, write_data => coarseleftright_held_0_memory_write_data);
 
+  coarserows_search_rows_read_words_1_memory_read_enable <= true;
+  coarserows_search_rows_read_words_1_memory_read_address <= to_unsigned(coarsedelay_column, 5);
+  coarserows_search_rows_read_words_1_memory_write_address <= to_unsigned(coarserows_write_column, 5);
   coarserows_search_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_1, 6);
   coarserows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 24, width => 6)
+    generic map (depth => 24, width => 6, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_search_rows_read_words_1,
-      write_address => coarserows_write_column, write_data => coarserows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => coarserows_search_rows_read_words_1_memory_read_enable,
+      read_address => coarserows_search_rows_read_words_1_memory_read_address, read_data => coarserows_search_rows_read_words_1,
+      write_address => coarserows_search_rows_read_words_1_memory_write_address, write_data => coarserows_search_rows_read_words_1_memory_write_data);
 
+  coarserows_search_rows_read_words_0_memory_read_enable <= true;
+  coarserows_search_rows_read_words_0_memory_read_address <= to_unsigned(coarsedelay_column, 5);
+  coarserows_search_rows_read_words_0_memory_write_address <= to_unsigned(coarserows_write_column, 5);
   coarserows_search_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_search_rows_write_words_0, 30);
   coarserows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 30)
+    generic map (depth => 24, width => 30, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_search_rows_read_words_0,
-      write_address => coarserows_write_column, write_data => coarserows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => coarserows_search_rows_read_words_0_memory_read_enable,
+      read_address => coarserows_search_rows_read_words_0_memory_read_address, read_data => coarserows_search_rows_read_words_0,
+      write_address => coarserows_search_rows_read_words_0_memory_write_address, write_data => coarserows_search_rows_read_words_0_memory_write_data);
 
+  coarserows_reference_rows_read_words_1_memory_read_enable <= true;
+  coarserows_reference_rows_read_words_1_memory_read_address <= to_unsigned(coarsedelay_column, 5);
+  coarserows_reference_rows_read_words_1_memory_write_address <= to_unsigned(coarserows_write_column, 5);
   coarserows_reference_rows_read_words_1_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_1, 6);
   coarserows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 24, width => 6)
+    generic map (depth => 24, width => 6, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_reference_rows_read_words_1,
-      write_address => coarserows_write_column, write_data => coarserows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => coarserows_reference_rows_read_words_1_memory_read_enable,
+      read_address => coarserows_reference_rows_read_words_1_memory_read_address, read_data => coarserows_reference_rows_read_words_1,
+      write_address => coarserows_reference_rows_read_words_1_memory_write_address, write_data => coarserows_reference_rows_read_words_1_memory_write_data);
 
+  coarserows_reference_rows_read_words_0_memory_read_enable <= true;
+  coarserows_reference_rows_read_words_0_memory_read_address <= to_unsigned(coarsedelay_column, 5);
+  coarserows_reference_rows_read_words_0_memory_write_address <= to_unsigned(coarserows_write_column, 5);
   coarserows_reference_rows_read_words_0_memory_write_data <= to_unsigned(coarserows_reference_rows_write_words_0, 30);
   coarserows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 30)
+    generic map (depth => 24, width => 30, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_column, read_data => coarserows_reference_rows_read_words_0,
-      write_address => coarserows_write_column, write_data => coarserows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => coarserows_reference_rows_read_words_0_memory_read_enable,
+      read_address => coarserows_reference_rows_read_words_0_memory_read_address, read_data => coarserows_reference_rows_read_words_0,
+      write_address => coarserows_reference_rows_read_words_0_memory_write_address, write_data => coarserows_reference_rows_read_words_0_memory_write_data);
 
+  coarsedelay_delayed_0_memory_read_enable <= true;
+  coarsedelay_delayed_0_memory_read_address <= to_unsigned(coarsedelay_ring_read_address, 3);
+  coarsedelay_delayed_0_memory_write_address <= to_unsigned(coarsedelay_ring_write_address, 3);
   coarsedelay_delayed_0_memory_write_data <= to_unsigned(coarseraster_features_reference_0, 6);
   coarsedelay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 8, width => 6)
+    generic map (depth => 8, width => 6, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => coarsedelay_ring_read_address, read_data => coarsedelay_delayed_0,
-      write_address => coarsedelay_ring_write_address, write_data => coarsedelay_delayed_0_memory_write_data);
+      clock => clock, read_enable => coarsedelay_delayed_0_memory_read_enable,
+      read_address => coarsedelay_delayed_0_memory_read_address, read_data => coarsedelay_delayed_0,
+      write_address => coarsedelay_delayed_0_memory_write_address, write_data => coarsedelay_delayed_0_memory_write_data);
 
+  coarsetransform_left_rows_read_words_1_memory_read_enable <= true;
+  coarsetransform_left_rows_read_words_1_memory_read_address <= to_unsigned(coarsetransform_counter_column, 5);
+  coarsetransform_left_rows_read_words_1_memory_write_address <= to_unsigned(coarsetransform_write_column, 5);
   coarsetransform_left_rows_read_words_1_memory_write_data <= to_unsigned((coarsetransform_left_rows_write_words_1 mod 16777216), 24);
   coarsetransform_left_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 24, width => 24)
+    generic map (depth => 24, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => coarsetransform_counter_column, read_data => coarsetransform_left_rows_read_words_1,
-      write_address => coarsetransform_write_column, write_data => coarsetransform_left_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => coarsetransform_left_rows_read_words_1_memory_read_enable,
+      read_address => coarsetransform_left_rows_read_words_1_memory_read_address, read_data => coarsetransform_left_rows_read_words_1,
+      write_address => coarsetransform_left_rows_read_words_1_memory_write_address, write_data => coarsetransform_left_rows_read_words_1_memory_write_data);
 
+  coarsetransform_left_rows_read_words_0_memory_read_enable <= true;
+  coarsetransform_left_rows_read_words_0_memory_read_address <= to_unsigned(coarsetransform_counter_column, 5);
+  coarsetransform_left_rows_read_words_0_memory_write_address <= to_unsigned(coarsetransform_write_column, 5);
   coarsetransform_left_rows_read_words_0_memory_write_data <= to_unsigned(coarsetransform_left_rows_write_words_0, 24);
   coarsetransform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 24)
+    generic map (depth => 24, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => coarsetransform_counter_column, read_data => coarsetransform_left_rows_read_words_0,
-      write_address => coarsetransform_write_column, write_data => coarsetransform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => coarsetransform_left_rows_read_words_0_memory_read_enable,
+      read_address => coarsetransform_left_rows_read_words_0_memory_read_address, read_data => coarsetransform_left_rows_read_words_0,
+      write_address => coarsetransform_left_rows_read_words_0_memory_write_address, write_data => coarsetransform_left_rows_read_words_0_memory_write_data);
 
+  coarsetransform_right_rows_read_words_1_memory_read_enable <= true;
+  coarsetransform_right_rows_read_words_1_memory_read_address <= to_unsigned(coarsetransform_counter_column, 5);
+  coarsetransform_right_rows_read_words_1_memory_write_address <= to_unsigned(coarsetransform_write_column, 5);
   coarsetransform_right_rows_read_words_1_memory_write_data <= to_unsigned((coarsetransform_right_rows_write_words_1 mod 16777216), 24);
   coarsetransform_right_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 24, width => 24)
+    generic map (depth => 24, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => coarsetransform_counter_column, read_data => coarsetransform_right_rows_read_words_1,
-      write_address => coarsetransform_write_column, write_data => coarsetransform_right_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => coarsetransform_right_rows_read_words_1_memory_read_enable,
+      read_address => coarsetransform_right_rows_read_words_1_memory_read_address, read_data => coarsetransform_right_rows_read_words_1,
+      write_address => coarsetransform_right_rows_read_words_1_memory_write_address, write_data => coarsetransform_right_rows_read_words_1_memory_write_data);
 
+  coarsetransform_right_rows_read_words_0_memory_read_enable <= true;
+  coarsetransform_right_rows_read_words_0_memory_read_address <= to_unsigned(coarsetransform_counter_column, 5);
+  coarsetransform_right_rows_read_words_0_memory_write_address <= to_unsigned(coarsetransform_write_column, 5);
   coarsetransform_right_rows_read_words_0_memory_write_data <= to_unsigned(coarsetransform_right_rows_write_words_0, 24);
   coarsetransform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 24)
+    generic map (depth => 24, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => coarsetransform_counter_column, read_data => coarsetransform_right_rows_read_words_0,
-      write_address => coarsetransform_write_column, write_data => coarsetransform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => coarsetransform_right_rows_read_words_0_memory_read_enable,
+      read_address => coarsetransform_right_rows_read_words_0_memory_read_address, read_data => coarsetransform_right_rows_read_words_0,
+      write_address => coarsetransform_right_rows_read_words_0_memory_write_address, write_data => coarsetransform_right_rows_read_words_0_memory_write_data);
 
+  coarse_pixels_read_word_0_memory_read_enable <= true;
+  coarse_pixels_read_word_0_memory_read_address <= to_unsigned(coarse_pixels_sum_column, 4);
+  coarse_pixels_read_word_0_memory_write_address <= to_unsigned(coarse_pixels_total_column, 4);
   coarse_pixels_read_word_0_memory_write_data <= coarse_pixels_total;
   coarse_pixels_read_word_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 32)
+    generic map (depth => 16, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => coarse_pixels_sum_column, read_data => coarse_pixels_read_word_0,
-      write_address => coarse_pixels_total_column, write_data => coarse_pixels_read_word_0_memory_write_data);
+      clock => clock, read_enable => coarse_pixels_read_word_0_memory_read_enable,
+      read_address => coarse_pixels_read_word_0_memory_read_address, read_data => coarse_pixels_read_word_0,
+      write_address => coarse_pixels_read_word_0_memory_write_address, write_data => coarse_pixels_read_word_0_memory_write_data);
 
   process (clock)
     variable coarse_pixels_column_any, coarse_pixels_column_is_equal, coarse_pixels_column_is_equal_2 : boolean;
@@ -2250,19 +2646,42 @@ begin
       coarse_pixels_column_is_equal := coarse_pixels_column = 15;
       coarse_pixels_column_is_equal_2 := coarse_pixels_part = 3;
       coarse_pixels_column_all := coarse_pixels_column_is_equal and coarse_pixels_column_is_equal_2;
-      coarse_pixels_column_choice := 0 when coarse_pixels_column_all else (coarse_pixels_column +
-        as_number(coarse_pixels_column_is_equal_2)) mod 16;
-      coarse_pixels_column_choice_2 := coarse_pixels_column_choice when in_valid else coarse_pixels_column;
-      coarse_pixels_part_choice := 0 when coarse_pixels_column_is_equal_2 else (coarse_pixels_part + 1) mod 256;
-      coarse_pixels_part_choice_2 := coarse_pixels_part_choice when in_valid else coarse_pixels_part;
+      if coarse_pixels_column_all then
+        coarse_pixels_column_choice := 0;
+      else
+        coarse_pixels_column_choice := (coarse_pixels_column + as_number(coarse_pixels_column_is_equal_2)) mod 16;
+      end if;
+      if in_valid then
+        coarse_pixels_column_choice_2 := coarse_pixels_column_choice;
+      else
+        coarse_pixels_column_choice_2 := coarse_pixels_column;
+      end if;
+      if coarse_pixels_column_is_equal_2 then
+        coarse_pixels_part_choice := 0;
+      else
+        coarse_pixels_part_choice := (coarse_pixels_part + 1) mod 256;
+      end if;
+      if in_valid then
+        coarse_pixels_part_choice_2 := coarse_pixels_part_choice;
+      else
+        coarse_pixels_part_choice_2 := coarse_pixels_part;
+      end if;
       if coarse_pixels_column_all then
         coarse_pixels_row_choice := (coarse_pixels_row + 1) mod 4;
       else
         coarse_pixels_row_choice := coarse_pixels_row;
       end if;
-      coarse_pixels_row_choice_2 := coarse_pixels_row_choice when in_valid else coarse_pixels_row;
+      if in_valid then
+        coarse_pixels_row_choice_2 := coarse_pixels_row_choice;
+      else
+        coarse_pixels_row_choice_2 := coarse_pixels_row;
+      end if;
       coarse_pixels_first_row_is_equal := coarse_pixels_row = 3;
-      coarse_pixels_first_row_choice := in_start_of_frame when in_valid else coarse_pixels_first_row;
+      if in_valid then
+        coarse_pixels_first_row_choice := in_start_of_frame;
+      else
+        coarse_pixels_first_row_choice := coarse_pixels_first_row;
+      end if;
       coarse_pixels_repetition_differs := coarse_pixels_repetition /= 8;
       if coarse_pixels_repetition_differs then
         coarse_pixels_repetition_choice := (coarse_pixels_repetition + 1) mod 65536;
@@ -2273,12 +2692,6 @@ begin
       coarse_pixels_left <= in_left_pixel;
       coarse_pixels_right <= in_right_pixel;
       coarse_pixels_valid <= in_valid;
-      coarse_pixels_column <= coarse_pixels_column_choice_2 when coarse_pixels_column_any else 0;
-      coarse_pixels_part <= coarse_pixels_part_choice_2 when coarse_pixels_column_any else 0;
-      coarse_pixels_row <= coarse_pixels_row_choice_2 when coarse_pixels_column_any else 0;
-      coarse_pixels_first_row <= coarse_pixels_first_row_choice when coarse_pixels_column_is_equal and
-        coarse_pixels_column_is_equal_2 and coarse_pixels_first_row and coarse_pixels_first_row_is_equal else
-        coarse_pixels_first_row or (in_start_of_frame and in_valid);
       coarse_pixels_sum_ends <= coarse_pixels_column_is_equal_2 and coarse_pixels_valid;
       coarse_pixels_sum_is_first <= coarse_pixels_row = 0;
       coarse_pixels_sum_is_last <= coarse_pixels_first_row_is_equal;
@@ -2294,21 +2707,54 @@ begin
       coarse_pixels_total_ends <= coarse_pixels_read_ends;
       coarse_pixels_total_is_last <= coarse_pixels_read_is_last;
       coarse_pixels_total_starts <= coarse_pixels_read_starts;
-      coarse_pixels_repetition <= 0 when (coarse_pixels_total_column = 15) and coarse_pixels_total_is_last and
-        coarse_pixels_total_ends else coarse_pixels_repetition_choice;
       coarse_pixels_out_start <= (coarse_pixels_total_column = 0) and coarse_pixels_total_starts and
         coarse_pixels_total_is_last and coarse_pixels_total_ends;
       coarse_pixels_out_valid <= coarse_pixels_repetition_differs or coarse_pixels_out_valid_all;
+      if coarse_pixels_column_any then
+        coarse_pixels_column <= coarse_pixels_column_choice_2;
+        coarse_pixels_part <= coarse_pixels_part_choice_2;
+        coarse_pixels_row <= coarse_pixels_row_choice_2;
+      else
+        coarse_pixels_column <= 0;
+        coarse_pixels_part <= 0;
+        coarse_pixels_row <= 0;
+      end if;
+      if coarse_pixels_column_is_equal and coarse_pixels_column_is_equal_2 and coarse_pixels_first_row and
+        coarse_pixels_first_row_is_equal then
+        coarse_pixels_first_row <= coarse_pixels_first_row_choice;
+      else
+        coarse_pixels_first_row <= coarse_pixels_first_row or (in_start_of_frame and in_valid);
+      end if;
+      if (coarse_pixels_total_column = 15) and coarse_pixels_total_is_last and coarse_pixels_total_ends then
+        coarse_pixels_repetition <= 0;
+      else
+        coarse_pixels_repetition <= coarse_pixels_repetition_choice;
+      end if;
       coarse_pixels_left_sum_is_equal := coarse_pixels_part = 0;
-      coarse_pixels_left_sum_choice := 0 when coarse_pixels_left_sum_is_equal else coarse_pixels_left_sum;
-      coarse_pixels_right_sum_choice := 0 when coarse_pixels_left_sum_is_equal else coarse_pixels_right_sum;
+      if coarse_pixels_left_sum_is_equal then
+        coarse_pixels_left_sum_choice := 0;
+      else
+        coarse_pixels_left_sum_choice := coarse_pixels_left_sum;
+      end if;
+      if coarse_pixels_left_sum_is_equal then
+        coarse_pixels_right_sum_choice := 0;
+      else
+        coarse_pixels_right_sum_choice := coarse_pixels_right_sum;
+      end if;
       if coarse_pixels_valid then
         coarse_pixels_left_sum <= (coarse_pixels_left + coarse_pixels_left_sum_choice) mod 65536;
         coarse_pixels_right_sum <= (coarse_pixels_right + coarse_pixels_right_sum_choice) mod 65536;
       end if;
-      coarse_pixels_total_choice := to_unsigned(0, 32) when coarse_pixels_read_is_first else coarse_pixels_read_word_0;
-      coarse_pixels_total_choice_2 := 0 when coarse_pixels_read_is_first else to_integer(coarse_pixels_read_word_0(15
-        downto 0));
+      if coarse_pixels_read_is_first then
+        coarse_pixels_total_choice := to_unsigned(0, 32);
+      else
+        coarse_pixels_total_choice := coarse_pixels_read_word_0;
+      end if;
+      if coarse_pixels_read_is_first then
+        coarse_pixels_total_choice_2 := 0;
+      else
+        coarse_pixels_total_choice_2 := to_integer(coarse_pixels_read_word_0(15 downto 0));
+      end if;
       if coarse_pixels_read_ends then
         coarse_pixels_total <= to_unsigned(((coarse_pixels_right_read + to_integer(coarse_pixels_total_choice(31 downto
           16))) mod 65536), 16) & to_unsigned(((coarse_pixels_left_read + coarse_pixels_total_choice_2) mod 65536), 16);
@@ -2325,19 +2771,33 @@ begin
         coarsetransform_counter_group_is_equal_2;
       coarsetransform_counter_group_any := ((coarsetransform_counter_group / 4) /= 2) or (not
         (((coarsetransform_counter_group / 2) mod 2) = 1)) or ((coarsetransform_counter_group mod 2) = 1);
-      coarsetransform_counter_group_choice := 2 when (coarsetransform_counter_group = 9) and
-        coarsetransform_counter_next_frame else (coarsetransform_counter_group + 1) mod 16;
-      coarsetransform_counter_group_choice_2 := coarsetransform_counter_group_choice when
-        coarsetransform_counter_group_is_equal and coarsetransform_counter_group_any and coarse_pixels_out_valid else
-        coarsetransform_counter_group;
-      coarsetransform_counter_next_frame_choice := (coarsetransform_counter_group /= 9) and
-        coarsetransform_counter_next_frame when coarsetransform_counter_group_is_equal and
-        coarsetransform_counter_group_any else coarsetransform_counter_next_frame;
-      coarsetransform_counter_next_frame_choice_2 := coarse_pixels_out_valid when coarsetransform_counter_group_all
-        else coarse_pixels_out_valid and (not coarse_pixels_out_start);
-      coarsetransform_counter_next_frame_choice_3 := coarsetransform_counter_next_frame_choice_2 when
-        coarsetransform_counter_next_frame_choice else coarsetransform_counter_group_is_equal and
-        coarsetransform_counter_group_is_equal_2 and coarse_pixels_out_valid and coarse_pixels_out_start;
+      if (coarsetransform_counter_group = 9) and coarsetransform_counter_next_frame then
+        coarsetransform_counter_group_choice := 2;
+      else
+        coarsetransform_counter_group_choice := (coarsetransform_counter_group + 1) mod 16;
+      end if;
+      if coarsetransform_counter_group_is_equal and coarsetransform_counter_group_any and coarse_pixels_out_valid then
+        coarsetransform_counter_group_choice_2 := coarsetransform_counter_group_choice;
+      else
+        coarsetransform_counter_group_choice_2 := coarsetransform_counter_group;
+      end if;
+      if coarsetransform_counter_group_is_equal and coarsetransform_counter_group_any then
+        coarsetransform_counter_next_frame_choice := (coarsetransform_counter_group /= 9) and
+          coarsetransform_counter_next_frame;
+      else
+        coarsetransform_counter_next_frame_choice := coarsetransform_counter_next_frame;
+      end if;
+      if coarsetransform_counter_group_all then
+        coarsetransform_counter_next_frame_choice_2 := coarse_pixels_out_valid;
+      else
+        coarsetransform_counter_next_frame_choice_2 := coarse_pixels_out_valid and (not coarse_pixels_out_start);
+      end if;
+      if coarsetransform_counter_next_frame_choice then
+        coarsetransform_counter_next_frame_choice_3 := coarsetransform_counter_next_frame_choice_2;
+      else
+        coarsetransform_counter_next_frame_choice_3 := coarsetransform_counter_group_is_equal and
+          coarsetransform_counter_group_is_equal_2 and coarse_pixels_out_valid and coarse_pixels_out_start;
+      end if;
       coarsetransform_centre_group_any := ((coarsetransform_counter_column / 16) = 1) or
         (((coarsetransform_counter_column / 8) mod 2) = 1) or (((coarsetransform_counter_column / 4) mod 2) = 1) or
         (((coarsetransform_counter_column / 2) mod 2) = 1);
@@ -2347,8 +2807,6 @@ begin
       coarsetransform_left_0 <= coarse_pixels_out_left;
       coarsetransform_right_0 <= coarse_pixels_out_right;
       coarsetransform_valid <= coarse_pixels_out_valid;
-      coarsetransform_counter_group <= as_number(coarsetransform_counter_group_all) * 8 when coarse_pixels_out_valid
-        and coarse_pixels_out_start else coarsetransform_counter_group_choice_2;
       coarsetransform_counter_next_frame <= coarsetransform_counter_next_frame_choice_3 or ((not
         coarse_pixels_out_valid) and coarsetransform_counter_next_frame);
       coarsetransform_left_rows_read_newest_0 <= coarsetransform_left_0;
@@ -2362,9 +2820,6 @@ begin
       coarsetransform_read_column <= coarsetransform_counter_column;
       coarsetransform_ready_column <= coarsetransform_read_column;
       coarsetransform_centre_group <= coarsetransform_counter_group + as_number(coarsetransform_centre_group_any);
-      coarsetransform_from_first_0 <= coarsetransform_from_first_0_differs and coarsetransform_from_first_0_value_2
-        when (not ((coarsetransform_centre_group / 16) = 1)) and ((not coarsetransform_from_first_0_value) or
-        ((coarsetransform_centre_group mod 4) = 0)) else coarsetransform_from_first_0_differs;
       coarsetransform_up_to_last_0 <= (not (((other_20 / 16) = 1) and ((((other_20 / 8) mod 2) = 1) or (((other_20 / 2)
         mod 4) = 3)))) and (not (coarsetransform_from_first_0_value_2 and (coarsetransform_from_first_0_value or
         (((coarsetransform_centre_group / 2) mod 2) = 1) or ((coarsetransform_centre_group mod 2) = 1)))) and (not
@@ -2428,8 +2883,6 @@ begin
         ((((coarsetransform_left_code_row_odd_1 - coarsetransform_left_code_row_even_2) mod 262144) / 131072) * 32) +
         ((((coarsetransform_left_code_row_even_1 - coarsetransform_left_code_row_odd_2) mod 262144) / 131072) * 4) +
         ((((coarsetransform_left_code_row_even_1 + coarsetransform_left_code_row_odd_2) mod 262144) / 131072) * 16);
-      coarsetransform_left_code_bits <= coarsetransform_left_code_row_signs when coarsetransform_filtering_4_inside_0
-        else 0;
       coarsetransform_right_code_column_centre <= coarsetransform_right_column_2;
       coarsetransform_right_code_column_near <= coarsetransform_right_column_1 + coarsetransform_right_column_3;
       coarsetransform_right_code_column_outer <= ((8190 - coarsetransform_right_column_4) -
@@ -2477,8 +2930,6 @@ begin
         ((((coarsetransform_right_code_row_odd_1 - coarsetransform_right_code_row_even_2) mod 262144) / 131072) * 32) +
         ((((coarsetransform_right_code_row_even_1 - coarsetransform_right_code_row_odd_2) mod 262144) / 131072) * 4) +
         ((((coarsetransform_right_code_row_even_1 + coarsetransform_right_code_row_odd_2) mod 262144) / 131072) * 16);
-      coarsetransform_right_code_bits <= coarsetransform_right_code_row_signs when coarsetransform_filtering_4_inside_0
-        else 0;
       coarsetransform_filtering_0_inside_0 <= coarsetransform_columns_inside_0;
       coarsetransform_filtering_0_start_of_frame <= coarsetransform_columns_start_of_frame;
       coarsetransform_filtering_0_valid <= coarsetransform_columns_valid;
@@ -2496,9 +2947,30 @@ begin
       coarsetransform_filtering_4_valid <= coarsetransform_filtering_3_valid;
       coarsetransform_filtering_5_start_of_frame <= coarsetransform_filtering_4_start_of_frame;
       coarsetransform_filtering_5_valid <= coarsetransform_filtering_4_valid;
+      if coarse_pixels_out_valid and coarse_pixels_out_start then
+        coarsetransform_counter_group <= as_number(coarsetransform_counter_group_all) * 8;
+      else
+        coarsetransform_counter_group <= coarsetransform_counter_group_choice_2;
+      end if;
+      if (not ((coarsetransform_centre_group / 16) = 1)) and ((not coarsetransform_from_first_0_value) or
+        ((coarsetransform_centre_group mod 4) = 0)) then
+        coarsetransform_from_first_0 <= coarsetransform_from_first_0_differs and coarsetransform_from_first_0_value_2;
+      else
+        coarsetransform_from_first_0 <= coarsetransform_from_first_0_differs;
+      end if;
+      if coarsetransform_filtering_4_inside_0 then
+        coarsetransform_left_code_bits <= coarsetransform_left_code_row_signs;
+        coarsetransform_right_code_bits <= coarsetransform_right_code_row_signs;
+      else
+        coarsetransform_left_code_bits <= 0;
+        coarsetransform_right_code_bits <= 0;
+      end if;
       if coarse_pixels_out_valid then
-        coarsetransform_counter_column <= 0 when coarsetransform_counter_group_is_equal or coarse_pixels_out_start else
-          (coarsetransform_counter_column + 1) mod 32;
+        if coarsetransform_counter_group_is_equal or coarse_pixels_out_start then
+          coarsetransform_counter_column <= 0;
+        else
+          coarsetransform_counter_column <= (coarsetransform_counter_column + 1) mod 32;
+        end if;
       end if;
       if (other_21 / 256) = 1 then
         coarsetransform_left_rows_write_words_0 <= (coarsetransform_left_rows_ready_words_0 / 4096) +
@@ -2542,39 +3014,70 @@ begin
       coarseraster_place_group_is_equal := coarseraster_place_column = 23;
       coarseraster_place_group_is_equal_2 := coarseraster_place_group = 7;
       coarseraster_place_group_is_equal_3 := (coarseraster_place_group / 2) = 5;
-      coarseraster_place_group_choice := coarsetransform_filtering_5_valid and (not ((coarseraster_place_group mod 2) =
-        1)) when coarseraster_place_group_is_equal_3 else coarsetransform_filtering_5_valid;
-      coarseraster_place_group_choice_2 := 3 when coarseraster_place_next_frame and (coarseraster_place_group = 10)
-        else (coarseraster_place_group + 1) mod 16;
-      coarseraster_place_group_choice_3 := coarseraster_place_group_choice_2 when coarseraster_place_group_is_equal and
-        coarseraster_place_group_choice else coarseraster_place_group;
-      coarseraster_place_next_frame_choice := coarseraster_place_next_frame and ((coarseraster_place_group mod 2) = 1)
-        when coarseraster_place_group_is_equal_3 else coarseraster_place_next_frame;
-      coarseraster_place_next_frame_choice_2 := coarseraster_place_next_frame_choice when
-        coarseraster_place_group_is_equal else coarseraster_place_next_frame;
-      coarseraster_place_next_frame_choice_3 := coarsetransform_filtering_5_valid when
-        coarseraster_place_next_frame_choice_2 else coarseraster_place_group_all;
-      coarseraster_place_next_frame_choice_4 := coarseraster_place_next_frame_choice_3 when
-        coarseraster_place_group_is_equal_2 and coarseraster_place_group_is_equal else
-        coarseraster_place_next_frame_choice_2 and coarsetransform_filtering_5_valid and (not
-        coarsetransform_filtering_5_start_of_frame);
+      if coarseraster_place_group_is_equal_3 then
+        coarseraster_place_group_choice := coarsetransform_filtering_5_valid and (not ((coarseraster_place_group mod 2)
+          = 1));
+      else
+        coarseraster_place_group_choice := coarsetransform_filtering_5_valid;
+      end if;
+      if coarseraster_place_next_frame and (coarseraster_place_group = 10) then
+        coarseraster_place_group_choice_2 := 3;
+      else
+        coarseraster_place_group_choice_2 := (coarseraster_place_group + 1) mod 16;
+      end if;
+      if coarseraster_place_group_is_equal and coarseraster_place_group_choice then
+        coarseraster_place_group_choice_3 := coarseraster_place_group_choice_2;
+      else
+        coarseraster_place_group_choice_3 := coarseraster_place_group;
+      end if;
+      if coarseraster_place_group_is_equal_3 then
+        coarseraster_place_next_frame_choice := coarseraster_place_next_frame and ((coarseraster_place_group mod 2) =
+          1);
+      else
+        coarseraster_place_next_frame_choice := coarseraster_place_next_frame;
+      end if;
+      if coarseraster_place_group_is_equal then
+        coarseraster_place_next_frame_choice_2 := coarseraster_place_next_frame_choice;
+      else
+        coarseraster_place_next_frame_choice_2 := coarseraster_place_next_frame;
+      end if;
+      if coarseraster_place_next_frame_choice_2 then
+        coarseraster_place_next_frame_choice_3 := coarsetransform_filtering_5_valid;
+      else
+        coarseraster_place_next_frame_choice_3 := coarseraster_place_group_all;
+      end if;
+      if coarseraster_place_group_is_equal_2 and coarseraster_place_group_is_equal then
+        coarseraster_place_next_frame_choice_4 := coarseraster_place_next_frame_choice_3;
+      else
+        coarseraster_place_next_frame_choice_4 := coarseraster_place_next_frame_choice_2 and
+          coarsetransform_filtering_5_valid and (not coarsetransform_filtering_5_start_of_frame);
+      end if;
       coarseraster_features_search_0 <= coarsetransform_left_code_bits;
       coarseraster_features_reference_0 <= coarsetransform_right_code_bits;
       coarseraster_features_valid <= coarsetransform_filtering_5_valid;
-      coarseraster_place_group <= as_number((coarseraster_place_group_is_equal and
-        coarseraster_place_group_is_equal_2)) * 8 when coarseraster_place_group_all else
-        coarseraster_place_group_choice_3;
       coarseraster_place_next_frame <= coarseraster_place_next_frame_choice_4 or ((not
         coarsetransform_filtering_5_valid) and coarseraster_place_next_frame);
+      if coarseraster_place_group_all then
+        coarseraster_place_group <= as_number((coarseraster_place_group_is_equal and
+          coarseraster_place_group_is_equal_2)) * 8;
+      else
+        coarseraster_place_group <= coarseraster_place_group_choice_3;
+      end if;
       if coarsetransform_filtering_5_valid then
-        coarseraster_place_column <= 0 when coarseraster_place_group_is_equal or
-          coarsetransform_filtering_5_start_of_frame else (coarseraster_place_column + 1) mod 32;
+        if coarseraster_place_group_is_equal or coarsetransform_filtering_5_start_of_frame then
+          coarseraster_place_column <= 0;
+        else
+          coarseraster_place_column <= (coarseraster_place_column + 1) mod 32;
+        end if;
       end if;
       -- coarsedelay
       if coarseraster_features_valid then
-        coarsedelay_ring_read_address <= 0 when coarsedelay_ring_read_address = 7 else (coarsedelay_ring_read_address +
-          1) mod 8;
         coarsedelay_ring_write_address <= coarsedelay_ring_read_address;
+        if coarsedelay_ring_read_address = 7 then
+          coarsedelay_ring_read_address <= 0;
+        else
+          coarsedelay_ring_read_address <= (coarsedelay_ring_read_address + 1) mod 8;
+        end if;
       end if;
       coarsedelay_row_inside_3_is_not_less := coarseraster_place_group >= 3;
       coarsedelay_row_inside_3_is_less := coarseraster_place_group < 11;
@@ -2594,14 +3097,17 @@ begin
       coarsedelay_row_inside_5 <= (coarseraster_place_group >= 1) and (coarseraster_place_group < 9);
       coarsedelay_row_inside_6 <= not ((coarseraster_place_group / 8) = 1);
       coarsedelay_tag_valid <= coarseraster_features_valid;
-      coarsedelay_tag_border_column <= (coarseraster_place_column / 4) = 0 when (coarseraster_place_column mod 4) = 3
-        else (coarseraster_place_column / 8) = 0;
       coarsedelay_tag_first_cost <= coarsedelay_tag_first_cost_is_equal;
       coarsedelay_tag_map_column <= coarsedelay_tag_map_column_is_not_less and coarsedelay_tag_map_column_is_less;
       coarsedelay_tag_output_column <= coarsedelay_row_inside_3_is_not_less and coarsedelay_row_inside_3_is_less and
         coarsedelay_tag_map_column_is_not_less and coarsedelay_tag_map_column_is_less;
       coarsedelay_tag_start_of_frame <= coarsedelay_tag_first_cost_is_equal and (coarseraster_place_group = 3);
       coarsedelay_tag_end_of_line <= coarseraster_place_column = 22;
+      if (coarseraster_place_column mod 4) = 3 then
+        coarsedelay_tag_border_column <= (coarseraster_place_column / 4) = 0;
+      else
+        coarsedelay_tag_border_column <= (coarseraster_place_column / 8) = 0;
+      end if;
       -- coarserows
       coarserows_search_rows_read_newest_0 <= coarsedelay_ahead_0;
       coarserows_search_rows_ready_words_0 <= to_integer(coarserows_search_rows_read_words_0);
@@ -2641,25 +3147,6 @@ begin
       coarserows_ready_tag_output_column <= coarserows_read_tag_output_column;
       coarserows_ready_tag_start_of_frame <= coarserows_read_tag_start_of_frame;
       coarserows_ready_tag_end_of_line <= coarserows_read_tag_end_of_line;
-      coarserows_search_0 <= coarserows_search_rows_ready_words_0 mod 64 when coarserows_ready_inside_0 else 0;
-      coarserows_search_1 <= (coarserows_search_rows_ready_words_0 / 64) mod 64 when coarserows_ready_inside_1 else 0;
-      coarserows_search_2 <= (coarserows_search_rows_ready_words_0 / 4096) mod 64 when coarserows_ready_inside_2 else 0;
-      coarserows_search_3 <= (coarserows_search_rows_ready_words_0 / 262144) mod 64 when coarserows_ready_inside_3 else
-        0;
-      coarserows_search_4 <= coarserows_search_rows_ready_words_0 / 16777216 when coarserows_ready_inside_4 else 0;
-      coarserows_search_5 <= coarserows_search_rows_ready_words_1 when coarserows_ready_inside_5 else 0;
-      coarserows_search_6 <= coarserows_search_rows_ready_newest_0 when coarserows_ready_inside_6 else 0;
-      coarserows_reference_0 <= coarserows_reference_rows_ready_words_0 mod 64 when coarserows_ready_inside_0 else 0;
-      coarserows_reference_1 <= (coarserows_reference_rows_ready_words_0 / 64) mod 64 when coarserows_ready_inside_1
-        else 0;
-      coarserows_reference_2 <= (coarserows_reference_rows_ready_words_0 / 4096) mod 64 when coarserows_ready_inside_2
-        else 0;
-      coarserows_reference_3 <= (coarserows_reference_rows_ready_words_0 / 262144) mod 64 when
-        coarserows_ready_inside_3 else 0;
-      coarserows_reference_4 <= coarserows_reference_rows_ready_words_0 / 16777216 when coarserows_ready_inside_4 else
-        0;
-      coarserows_reference_5 <= coarserows_reference_rows_ready_words_1 when coarserows_ready_inside_5 else 0;
-      coarserows_reference_6 <= coarserows_reference_rows_ready_newest_0 when coarserows_ready_inside_6 else 0;
       coarserows_tag_valid <= coarserows_ready_tag_valid;
       coarserows_tag_border_column <= coarserows_ready_tag_border_column;
       coarserows_tag_first_cost <= coarserows_ready_tag_first_cost;
@@ -2667,6 +3154,55 @@ begin
       coarserows_tag_output_column <= coarserows_ready_tag_output_column;
       coarserows_tag_start_of_frame <= coarserows_ready_tag_start_of_frame;
       coarserows_tag_end_of_line <= coarserows_ready_tag_end_of_line;
+      if coarserows_ready_inside_0 then
+        coarserows_search_0 <= coarserows_search_rows_ready_words_0 mod 64;
+        coarserows_reference_0 <= coarserows_reference_rows_ready_words_0 mod 64;
+      else
+        coarserows_search_0 <= 0;
+        coarserows_reference_0 <= 0;
+      end if;
+      if coarserows_ready_inside_1 then
+        coarserows_search_1 <= (coarserows_search_rows_ready_words_0 / 64) mod 64;
+        coarserows_reference_1 <= (coarserows_reference_rows_ready_words_0 / 64) mod 64;
+      else
+        coarserows_search_1 <= 0;
+        coarserows_reference_1 <= 0;
+      end if;
+      if coarserows_ready_inside_2 then
+        coarserows_search_2 <= (coarserows_search_rows_ready_words_0 / 4096) mod 64;
+        coarserows_reference_2 <= (coarserows_reference_rows_ready_words_0 / 4096) mod 64;
+      else
+        coarserows_search_2 <= 0;
+        coarserows_reference_2 <= 0;
+      end if;
+      if coarserows_ready_inside_3 then
+        coarserows_search_3 <= (coarserows_search_rows_ready_words_0 / 262144) mod 64;
+        coarserows_reference_3 <= (coarserows_reference_rows_ready_words_0 / 262144) mod 64;
+      else
+        coarserows_search_3 <= 0;
+        coarserows_reference_3 <= 0;
+      end if;
+      if coarserows_ready_inside_4 then
+        coarserows_search_4 <= coarserows_search_rows_ready_words_0 / 16777216;
+        coarserows_reference_4 <= coarserows_reference_rows_ready_words_0 / 16777216;
+      else
+        coarserows_search_4 <= 0;
+        coarserows_reference_4 <= 0;
+      end if;
+      if coarserows_ready_inside_5 then
+        coarserows_search_5 <= coarserows_search_rows_ready_words_1;
+        coarserows_reference_5 <= coarserows_reference_rows_ready_words_1;
+      else
+        coarserows_search_5 <= 0;
+        coarserows_reference_5 <= 0;
+      end if;
+      if coarserows_ready_inside_6 then
+        coarserows_search_6 <= coarserows_search_rows_ready_newest_0;
+        coarserows_reference_6 <= coarserows_reference_rows_ready_newest_0;
+      else
+        coarserows_search_6 <= 0;
+        coarserows_reference_6 <= 0;
+      end if;
       if coarserows_ready_tag_valid then
         coarserows_search_rows_write_words_0 <= (coarserows_search_rows_ready_words_0 / 64) +
           (coarserows_search_rows_ready_words_1 * 16777216);
@@ -3335,28 +3871,39 @@ begin
       coarseslice0cost_pair_tag_output_column <= coarseslice0cost_pixels_tag_output_column;
       coarseslice0cost_pair_tag_start_of_frame <= coarseslice0cost_pixels_tag_start_of_frame;
       coarseslice0cost_pair_tag_end_of_line <= coarseslice0cost_pixels_tag_end_of_line;
-      coarseslice0cost_column_0_0 <= 0 when coarseslice0cost_pair_tag_border_column else coarseslice0cost_pair_1_0 +
-        coarseslice0cost_pair_2_0 + coarseslice0cost_pair_0_0 + coarseslice0cost_single_0_0;
-      coarseslice0cost_column_0_1 <= 0 when coarseslice0cost_pair_tag_border_column else coarseslice0cost_pair_1_1 +
-        coarseslice0cost_pair_2_1 + coarseslice0cost_pair_0_1 + coarseslice0cost_single_0_1;
-      coarseslice0cost_column_0_2 <= 0 when coarseslice0cost_pair_tag_border_column else coarseslice0cost_pair_1_2 +
-        coarseslice0cost_pair_2_2 + coarseslice0cost_pair_0_2 + coarseslice0cost_single_0_2;
-      coarseslice0cost_column_0_3 <= 0 when coarseslice0cost_pair_tag_border_column else coarseslice0cost_pair_1_3 +
-        coarseslice0cost_pair_2_3 + coarseslice0cost_pair_0_3 + coarseslice0cost_single_0_3;
-      coarseslice0cost_column_0_4 <= 0 when coarseslice0cost_pair_tag_border_column else coarseslice0cost_pair_1_4 +
-        coarseslice0cost_pair_2_4 + coarseslice0cost_pair_0_4 + coarseslice0cost_single_0_4;
-      coarseslice0cost_column_0_5 <= 0 when coarseslice0cost_pair_tag_border_column else coarseslice0cost_pair_1_5 +
-        coarseslice0cost_pair_2_5 + coarseslice0cost_pair_0_5 + coarseslice0cost_single_0_5;
-      coarseslice0cost_column_0_6 <= 0 when coarseslice0cost_pair_tag_border_column else coarseslice0cost_pair_1_6 +
-        coarseslice0cost_pair_2_6 + coarseslice0cost_pair_0_6 + coarseslice0cost_single_0_6;
-      coarseslice0cost_column_0_7 <= 0 when coarseslice0cost_pair_tag_border_column else coarseslice0cost_pair_1_7 +
-        coarseslice0cost_pair_2_7 + coarseslice0cost_pair_0_7 + coarseslice0cost_single_0_7;
       coarseslice0cost_tag_valid <= coarseslice0cost_pair_tag_valid;
       coarseslice0cost_tag_first_cost <= coarseslice0cost_pair_tag_first_cost;
       coarseslice0cost_tag_map_column <= coarseslice0cost_pair_tag_map_column;
       coarseslice0cost_tag_output_column <= coarseslice0cost_pair_tag_output_column;
       coarseslice0cost_tag_start_of_frame <= coarseslice0cost_pair_tag_start_of_frame;
       coarseslice0cost_tag_end_of_line <= coarseslice0cost_pair_tag_end_of_line;
+      if coarseslice0cost_pair_tag_border_column then
+        coarseslice0cost_column_0_0 <= 0;
+        coarseslice0cost_column_0_1 <= 0;
+        coarseslice0cost_column_0_2 <= 0;
+        coarseslice0cost_column_0_3 <= 0;
+        coarseslice0cost_column_0_4 <= 0;
+        coarseslice0cost_column_0_5 <= 0;
+        coarseslice0cost_column_0_6 <= 0;
+        coarseslice0cost_column_0_7 <= 0;
+      else
+        coarseslice0cost_column_0_0 <= coarseslice0cost_pair_1_0 + coarseslice0cost_pair_2_0 +
+          coarseslice0cost_pair_0_0 + coarseslice0cost_single_0_0;
+        coarseslice0cost_column_0_1 <= coarseslice0cost_pair_1_1 + coarseslice0cost_pair_2_1 +
+          coarseslice0cost_pair_0_1 + coarseslice0cost_single_0_1;
+        coarseslice0cost_column_0_2 <= coarseslice0cost_pair_1_2 + coarseslice0cost_pair_2_2 +
+          coarseslice0cost_pair_0_2 + coarseslice0cost_single_0_2;
+        coarseslice0cost_column_0_3 <= coarseslice0cost_pair_1_3 + coarseslice0cost_pair_2_3 +
+          coarseslice0cost_pair_0_3 + coarseslice0cost_single_0_3;
+        coarseslice0cost_column_0_4 <= coarseslice0cost_pair_1_4 + coarseslice0cost_pair_2_4 +
+          coarseslice0cost_pair_0_4 + coarseslice0cost_single_0_4;
+        coarseslice0cost_column_0_5 <= coarseslice0cost_pair_1_5 + coarseslice0cost_pair_2_5 +
+          coarseslice0cost_pair_0_5 + coarseslice0cost_single_0_5;
+        coarseslice0cost_column_0_6 <= coarseslice0cost_pair_1_6 + coarseslice0cost_pair_2_6 +
+          coarseslice0cost_pair_0_6 + coarseslice0cost_single_0_6;
+        coarseslice0cost_column_0_7 <= coarseslice0cost_pair_1_7 + coarseslice0cost_pair_2_7 +
+          coarseslice0cost_pair_0_7 + coarseslice0cost_single_0_7;
+      end if;
       -- coarseslice0window
       if coarseslice0cost_tag_valid then
         coarseslice0window_partial_0_0_0 <= coarseslice0cost_column_0_0;
@@ -3439,41 +3986,92 @@ begin
       coarseslice0window_tag_end_of_line <= coarseslice0window_centre_end_of_line_2;
       -- coarseslice0other
       coarseslice0other_cost_0_1_all := coarseslice0window_tag_output_column and coarseslice0window_tag_first_column;
-      coarseslice0other_cost_0_1_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_2 -
-        coarseslice0window_sum_0_1) >= 0 else coarseslice0other_cost_0_1_all;
-      coarseslice0other_cost_0_2_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_3 -
-        coarseslice0window_sum_0_2) >= 0 else coarseslice0other_cost_0_1_all;
-      coarseslice0other_cost_0_3_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_4 -
-        coarseslice0window_sum_0_3) >= 0 else coarseslice0other_cost_0_1_all;
-      coarseslice0other_cost_0_4_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_5 -
-        coarseslice0window_sum_0_4) >= 0 else coarseslice0other_cost_0_1_all;
-      coarseslice0other_cost_0_5_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_6 -
-        coarseslice0window_sum_0_5) >= 0 else coarseslice0other_cost_0_1_all;
-      coarseslice0other_cost_0_6_choice := coarseslice0window_tag_output_column when (coarseslice0other_cost_0_7 -
-        coarseslice0window_sum_0_6) >= 0 else coarseslice0other_cost_0_1_all;
+      if (coarseslice0other_cost_0_2 - coarseslice0window_sum_0_1) >= 0 then
+        coarseslice0other_cost_0_1_choice := coarseslice0window_tag_output_column;
+      else
+        coarseslice0other_cost_0_1_choice := coarseslice0other_cost_0_1_all;
+      end if;
+      if (coarseslice0other_cost_0_3 - coarseslice0window_sum_0_2) >= 0 then
+        coarseslice0other_cost_0_2_choice := coarseslice0window_tag_output_column;
+      else
+        coarseslice0other_cost_0_2_choice := coarseslice0other_cost_0_1_all;
+      end if;
+      if (coarseslice0other_cost_0_4 - coarseslice0window_sum_0_3) >= 0 then
+        coarseslice0other_cost_0_3_choice := coarseslice0window_tag_output_column;
+      else
+        coarseslice0other_cost_0_3_choice := coarseslice0other_cost_0_1_all;
+      end if;
+      if (coarseslice0other_cost_0_5 - coarseslice0window_sum_0_4) >= 0 then
+        coarseslice0other_cost_0_4_choice := coarseslice0window_tag_output_column;
+      else
+        coarseslice0other_cost_0_4_choice := coarseslice0other_cost_0_1_all;
+      end if;
+      if (coarseslice0other_cost_0_6 - coarseslice0window_sum_0_5) >= 0 then
+        coarseslice0other_cost_0_5_choice := coarseslice0window_tag_output_column;
+      else
+        coarseslice0other_cost_0_5_choice := coarseslice0other_cost_0_1_all;
+      end if;
+      if (coarseslice0other_cost_0_7 - coarseslice0window_sum_0_6) >= 0 then
+        coarseslice0other_cost_0_6_choice := coarseslice0window_tag_output_column;
+      else
+        coarseslice0other_cost_0_6_choice := coarseslice0other_cost_0_1_all;
+      end if;
       if coarseslice0window_tag_valid then
-        coarseslice0other_cost_0_1 <= coarseslice0window_sum_0_1 when coarseslice0other_cost_0_1_choice else
-          coarseslice0other_cost_0_2;
-        coarseslice0other_cost_0_2 <= coarseslice0window_sum_0_2 when coarseslice0other_cost_0_2_choice else
-          coarseslice0other_cost_0_3;
-        coarseslice0other_cost_0_3 <= coarseslice0window_sum_0_3 when coarseslice0other_cost_0_3_choice else
-          coarseslice0other_cost_0_4;
-        coarseslice0other_cost_0_4 <= coarseslice0window_sum_0_4 when coarseslice0other_cost_0_4_choice else
-          coarseslice0other_cost_0_5;
-        coarseslice0other_cost_0_5 <= coarseslice0window_sum_0_5 when coarseslice0other_cost_0_5_choice else
-          coarseslice0other_cost_0_6;
-        coarseslice0other_cost_0_6 <= coarseslice0window_sum_0_6 when coarseslice0other_cost_0_6_choice else
-          coarseslice0other_cost_0_7;
-        coarseslice0other_cost_0_7 <= coarseslice0window_sum_0_7 when coarseslice0window_tag_output_column else 0;
-        coarseslice0other_winner_0_0 <= 0 when coarseslice0window_tag_output_column and (((coarseslice0other_cost_0_1 -
-          coarseslice0window_sum_0_0) >= 0) or coarseslice0window_tag_first_column) else coarseslice0other_winner_0_1;
-        coarseslice0other_winner_0_1 <= 1 when coarseslice0other_cost_0_1_choice else coarseslice0other_winner_0_2;
-        coarseslice0other_winner_0_2 <= 2 when coarseslice0other_cost_0_2_choice else coarseslice0other_winner_0_3;
-        coarseslice0other_winner_0_3 <= 3 when coarseslice0other_cost_0_3_choice else coarseslice0other_winner_0_4;
-        coarseslice0other_winner_0_4 <= 4 when coarseslice0other_cost_0_4_choice else coarseslice0other_winner_0_5;
-        coarseslice0other_winner_0_5 <= 5 when coarseslice0other_cost_0_5_choice else coarseslice0other_winner_0_6;
-        coarseslice0other_winner_0_6 <= 6 when coarseslice0other_cost_0_6_choice else coarseslice0other_winner_0_7;
-        coarseslice0other_winner_0_7 <= 7 when coarseslice0window_tag_output_column else 0;
+        if coarseslice0other_cost_0_1_choice then
+          coarseslice0other_cost_0_1 <= coarseslice0window_sum_0_1;
+          coarseslice0other_winner_0_1 <= 1;
+        else
+          coarseslice0other_cost_0_1 <= coarseslice0other_cost_0_2;
+          coarseslice0other_winner_0_1 <= coarseslice0other_winner_0_2;
+        end if;
+        if coarseslice0other_cost_0_2_choice then
+          coarseslice0other_cost_0_2 <= coarseslice0window_sum_0_2;
+          coarseslice0other_winner_0_2 <= 2;
+        else
+          coarseslice0other_cost_0_2 <= coarseslice0other_cost_0_3;
+          coarseslice0other_winner_0_2 <= coarseslice0other_winner_0_3;
+        end if;
+        if coarseslice0other_cost_0_3_choice then
+          coarseslice0other_cost_0_3 <= coarseslice0window_sum_0_3;
+          coarseslice0other_winner_0_3 <= 3;
+        else
+          coarseslice0other_cost_0_3 <= coarseslice0other_cost_0_4;
+          coarseslice0other_winner_0_3 <= coarseslice0other_winner_0_4;
+        end if;
+        if coarseslice0other_cost_0_4_choice then
+          coarseslice0other_cost_0_4 <= coarseslice0window_sum_0_4;
+          coarseslice0other_winner_0_4 <= 4;
+        else
+          coarseslice0other_cost_0_4 <= coarseslice0other_cost_0_5;
+          coarseslice0other_winner_0_4 <= coarseslice0other_winner_0_5;
+        end if;
+        if coarseslice0other_cost_0_5_choice then
+          coarseslice0other_cost_0_5 <= coarseslice0window_sum_0_5;
+          coarseslice0other_winner_0_5 <= 5;
+        else
+          coarseslice0other_cost_0_5 <= coarseslice0other_cost_0_6;
+          coarseslice0other_winner_0_5 <= coarseslice0other_winner_0_6;
+        end if;
+        if coarseslice0other_cost_0_6_choice then
+          coarseslice0other_cost_0_6 <= coarseslice0window_sum_0_6;
+          coarseslice0other_winner_0_6 <= 6;
+        else
+          coarseslice0other_cost_0_6 <= coarseslice0other_cost_0_7;
+          coarseslice0other_winner_0_6 <= coarseslice0other_winner_0_7;
+        end if;
+        if coarseslice0window_tag_output_column then
+          coarseslice0other_cost_0_7 <= coarseslice0window_sum_0_7;
+          coarseslice0other_winner_0_7 <= 7;
+        else
+          coarseslice0other_cost_0_7 <= 0;
+          coarseslice0other_winner_0_7 <= 0;
+        end if;
+        if coarseslice0window_tag_output_column and (((coarseslice0other_cost_0_1 - coarseslice0window_sum_0_0) >= 0)
+          or coarseslice0window_tag_first_column) then
+          coarseslice0other_winner_0_0 <= 0;
+        else
+          coarseslice0other_winner_0_0 <= coarseslice0other_winner_0_1;
+        end if;
       end if;
       coarseslice0other_winner_out_0 <= coarseslice0other_winner_0_0;
       -- coarseslice0winner1
@@ -3487,43 +4085,12 @@ begin
       coarseslice0winner1_of_four_0_4_is_less := (to_integer(((to_unsigned(coarseslice0winner1_of_pair_0_6, 9)) or
         (to_unsigned(coarseslice0winner1_of_pair_0_7, 9)))) - to_integer(((to_unsigned(coarseslice0winner1_of_pair_0_4,
         9)) or (to_unsigned(coarseslice0winner1_of_pair_0_5, 9))))) < 0;
-      coarseslice0winner1_of_pair_0_0 <= 0 when coarseslice0winner1_of_pair_0_0_is_less else coarseslice0window_sum_0_0;
-      coarseslice0winner1_of_pair_0_1 <= coarseslice0window_sum_0_1 when coarseslice0winner1_of_pair_0_0_is_less else 0;
-      coarseslice0winner1_of_pair_0_2 <= 0 when coarseslice0winner1_of_pair_0_2_is_less else coarseslice0window_sum_0_2;
-      coarseslice0winner1_of_pair_0_3 <= coarseslice0window_sum_0_3 when coarseslice0winner1_of_pair_0_2_is_less else 0;
-      coarseslice0winner1_of_pair_0_4 <= 0 when coarseslice0winner1_of_pair_0_4_is_less else coarseslice0window_sum_0_4;
-      coarseslice0winner1_of_pair_0_5 <= coarseslice0window_sum_0_5 when coarseslice0winner1_of_pair_0_4_is_less else 0;
-      coarseslice0winner1_of_pair_0_6 <= 0 when coarseslice0winner1_of_pair_0_6_is_less else coarseslice0window_sum_0_6;
-      coarseslice0winner1_of_pair_0_7 <= coarseslice0window_sum_0_7 when coarseslice0winner1_of_pair_0_6_is_less else 0;
       coarseslice0winner1_pair_index_0_0 <= coarseslice0winner1_of_pair_0_0_is_less;
-      coarseslice0winner1_pair_index_0_1 <= 3 when coarseslice0winner1_of_pair_0_2_is_less else 2;
-      coarseslice0winner1_pair_index_0_2 <= 5 when coarseslice0winner1_of_pair_0_4_is_less else 4;
-      coarseslice0winner1_pair_index_0_3 <= 7 when coarseslice0winner1_of_pair_0_6_is_less else 6;
       coarseslice0winner1_pair_tag_valid <= coarseslice0window_tag_valid;
       coarseslice0winner1_pair_tag_map_column <= coarseslice0window_tag_map_column;
       coarseslice0winner1_pair_tag_output_column <= coarseslice0window_tag_output_column;
       coarseslice0winner1_pair_tag_start_of_frame <= coarseslice0window_tag_start_of_frame;
       coarseslice0winner1_pair_tag_end_of_line <= coarseslice0window_tag_end_of_line;
-      coarseslice0winner1_of_four_0_0 <= 0 when coarseslice0winner1_of_four_0_0_is_less else
-        coarseslice0winner1_of_pair_0_0;
-      coarseslice0winner1_of_four_0_1 <= 0 when coarseslice0winner1_of_four_0_0_is_less else
-        coarseslice0winner1_of_pair_0_1;
-      coarseslice0winner1_of_four_0_2 <= coarseslice0winner1_of_pair_0_2 when coarseslice0winner1_of_four_0_0_is_less
-        else 0;
-      coarseslice0winner1_of_four_0_3 <= coarseslice0winner1_of_pair_0_3 when coarseslice0winner1_of_four_0_0_is_less
-        else 0;
-      coarseslice0winner1_of_four_0_4 <= 0 when coarseslice0winner1_of_four_0_4_is_less else
-        coarseslice0winner1_of_pair_0_4;
-      coarseslice0winner1_of_four_0_5 <= 0 when coarseslice0winner1_of_four_0_4_is_less else
-        coarseslice0winner1_of_pair_0_5;
-      coarseslice0winner1_of_four_0_6 <= coarseslice0winner1_of_pair_0_6 when coarseslice0winner1_of_four_0_4_is_less
-        else 0;
-      coarseslice0winner1_of_four_0_7 <= coarseslice0winner1_of_pair_0_7 when coarseslice0winner1_of_four_0_4_is_less
-        else 0;
-      coarseslice0winner1_four_index_0_0 <= coarseslice0winner1_pair_index_0_1 when
-        coarseslice0winner1_of_four_0_0_is_less else as_number(coarseslice0winner1_pair_index_0_0);
-      coarseslice0winner1_four_index_0_1 <= coarseslice0winner1_pair_index_0_3 when
-        coarseslice0winner1_of_four_0_4_is_less else coarseslice0winner1_pair_index_0_2;
       coarseslice0winner1_four_tag_valid <= coarseslice0winner1_pair_tag_valid;
       coarseslice0winner1_four_tag_map_column <= coarseslice0winner1_pair_tag_map_column;
       coarseslice0winner1_four_tag_output_column <= coarseslice0winner1_pair_tag_output_column;
@@ -3542,14 +4109,77 @@ begin
       coarseslice0winner1_tag_output_column <= coarseslice0winner1_four_tag_output_column;
       coarseslice0winner1_tag_start_of_frame <= coarseslice0winner1_four_tag_start_of_frame;
       coarseslice0winner1_tag_end_of_line <= coarseslice0winner1_four_tag_end_of_line;
+      if coarseslice0winner1_of_pair_0_0_is_less then
+        coarseslice0winner1_of_pair_0_0 <= 0;
+        coarseslice0winner1_of_pair_0_1 <= coarseslice0window_sum_0_1;
+      else
+        coarseslice0winner1_of_pair_0_0 <= coarseslice0window_sum_0_0;
+        coarseslice0winner1_of_pair_0_1 <= 0;
+      end if;
+      if coarseslice0winner1_of_pair_0_2_is_less then
+        coarseslice0winner1_of_pair_0_2 <= 0;
+        coarseslice0winner1_of_pair_0_3 <= coarseslice0window_sum_0_3;
+        coarseslice0winner1_pair_index_0_1 <= 3;
+      else
+        coarseslice0winner1_of_pair_0_2 <= coarseslice0window_sum_0_2;
+        coarseslice0winner1_of_pair_0_3 <= 0;
+        coarseslice0winner1_pair_index_0_1 <= 2;
+      end if;
+      if coarseslice0winner1_of_pair_0_4_is_less then
+        coarseslice0winner1_of_pair_0_4 <= 0;
+        coarseslice0winner1_of_pair_0_5 <= coarseslice0window_sum_0_5;
+        coarseslice0winner1_pair_index_0_2 <= 5;
+      else
+        coarseslice0winner1_of_pair_0_4 <= coarseslice0window_sum_0_4;
+        coarseslice0winner1_of_pair_0_5 <= 0;
+        coarseslice0winner1_pair_index_0_2 <= 4;
+      end if;
+      if coarseslice0winner1_of_pair_0_6_is_less then
+        coarseslice0winner1_of_pair_0_6 <= 0;
+        coarseslice0winner1_of_pair_0_7 <= coarseslice0window_sum_0_7;
+        coarseslice0winner1_pair_index_0_3 <= 7;
+      else
+        coarseslice0winner1_of_pair_0_6 <= coarseslice0window_sum_0_6;
+        coarseslice0winner1_of_pair_0_7 <= 0;
+        coarseslice0winner1_pair_index_0_3 <= 6;
+      end if;
+      if coarseslice0winner1_of_four_0_0_is_less then
+        coarseslice0winner1_of_four_0_0 <= 0;
+        coarseslice0winner1_of_four_0_1 <= 0;
+        coarseslice0winner1_of_four_0_2 <= coarseslice0winner1_of_pair_0_2;
+        coarseslice0winner1_of_four_0_3 <= coarseslice0winner1_of_pair_0_3;
+        coarseslice0winner1_four_index_0_0 <= coarseslice0winner1_pair_index_0_1;
+      else
+        coarseslice0winner1_of_four_0_0 <= coarseslice0winner1_of_pair_0_0;
+        coarseslice0winner1_of_four_0_1 <= coarseslice0winner1_of_pair_0_1;
+        coarseslice0winner1_of_four_0_2 <= 0;
+        coarseslice0winner1_of_four_0_3 <= 0;
+        coarseslice0winner1_four_index_0_0 <= as_number(coarseslice0winner1_pair_index_0_0);
+      end if;
+      if coarseslice0winner1_of_four_0_4_is_less then
+        coarseslice0winner1_of_four_0_4 <= 0;
+        coarseslice0winner1_of_four_0_5 <= 0;
+        coarseslice0winner1_of_four_0_6 <= coarseslice0winner1_of_pair_0_6;
+        coarseslice0winner1_of_four_0_7 <= coarseslice0winner1_of_pair_0_7;
+        coarseslice0winner1_four_index_0_1 <= coarseslice0winner1_pair_index_0_3;
+      else
+        coarseslice0winner1_of_four_0_4 <= coarseslice0winner1_of_pair_0_4;
+        coarseslice0winner1_of_four_0_5 <= coarseslice0winner1_of_pair_0_5;
+        coarseslice0winner1_of_four_0_6 <= 0;
+        coarseslice0winner1_of_four_0_7 <= 0;
+        coarseslice0winner1_four_index_0_1 <= coarseslice0winner1_pair_index_0_2;
+      end if;
       -- coarseslice0winner2
-      coarseslice0winner2_best_index_0_0 <= coarseslice0winner1_best_index_0_1 when (coarseslice0winner1_best_cost_0_1
-        - coarseslice0winner1_best_cost_0_0) < 0 else coarseslice0winner1_best_index_0_0;
       coarseslice0winner2_tag_valid <= coarseslice0winner1_tag_valid;
       coarseslice0winner2_tag_map_column <= coarseslice0winner1_tag_map_column;
       coarseslice0winner2_tag_output_column <= coarseslice0winner1_tag_output_column;
       coarseslice0winner2_tag_start_of_frame <= coarseslice0winner1_tag_start_of_frame;
       coarseslice0winner2_tag_end_of_line <= coarseslice0winner1_tag_end_of_line;
+      if (coarseslice0winner1_best_cost_0_1 - coarseslice0winner1_best_cost_0_0) < 0 then
+        coarseslice0winner2_best_index_0_0 <= coarseslice0winner1_best_index_0_1;
+      else
+        coarseslice0winner2_best_index_0_0 <= coarseslice0winner1_best_index_0_0;
+      end if;
       -- coarseslice0
       coarseslice0_best_index_0_0 <= coarseslice0winner2_best_index_0_0;
       coarseslice0_best_tag_valid <= coarseslice0winner2_tag_valid;
@@ -3567,8 +4197,6 @@ begin
       coarseleftright_other_1_0 <= coarseslice0other_winner_out_0;
       coarseleftright_other_2_0 <= coarseleftright_other_1_0;
       coarseleftright_other_3_0 <= coarseleftright_other_2_0;
-      coarseleftright_holds_winners <= (not coarseslice0_best_tag_valid) and coarseleftright_holds_winners when
-        coarseleftright_holds_winners_all else coarseslice0_best_tag_valid or coarseleftright_holds_winners;
       coarseleftright_position <= (coarseleftright_position + as_number(coarseslice0_best_tag_valid)) mod 16;
       coarseleftright_held_position <= coarseleftright_position;
       coarseleftright_held_valid <= (not coarseleftright_holds_winners_all) and coarseslice0_best_tag_valid;
@@ -3589,37 +4217,81 @@ begin
       coarseleftright_checked_tag_valid <= coarseleftright_answered_tag_valid;
       coarseleftright_checked_tag_output_column <= coarseleftright_answered_tag_output_column;
       coarseleftright_checked_tag_start_of_frame <= coarseleftright_answered_tag_start_of_frame;
+      if coarseleftright_holds_winners_all then
+        coarseleftright_holds_winners <= (not coarseslice0_best_tag_valid) and coarseleftright_holds_winners;
+      else
+        coarseleftright_holds_winners <= coarseslice0_best_tag_valid or coarseleftright_holds_winners;
+      end if;
       if coarseslice0_best_tag_valid then
-        coarseleftright_ring_read_address <= 0 when coarseleftright_ring_read_address = 7 else
-          (coarseleftright_ring_read_address + 1) mod 8;
         coarseleftright_ring_write_address <= coarseleftright_ring_read_address;
+        if coarseleftright_ring_read_address = 7 then
+          coarseleftright_ring_read_address <= 0;
+        else
+          coarseleftright_ring_read_address <= (coarseleftright_ring_read_address + 1) mod 8;
+        end if;
       end if;
       -- ranges
-      ranges_column_choice := ((ranges_row mod 2) = 1) and ((ranges_column mod 2) = 1) when (ranges_row / 2) = 4 else
-        (ranges_column mod 2) = 1;
-      ranges_column_choice_2 := ranges_column_choice when (ranges_column / 2) = 8 else ((ranges_row / 2) /= 4) or
-        ((ranges_row mod 2) = 1);
+      if (ranges_row / 2) = 4 then
+        ranges_column_choice := ((ranges_row mod 2) = 1) and ((ranges_column mod 2) = 1);
+      else
+        ranges_column_choice := (ranges_column mod 2) = 1;
+      end if;
+      if (ranges_column / 2) = 8 then
+        ranges_column_choice_2 := ranges_column_choice;
+      else
+        ranges_column_choice_2 := ((ranges_row / 2) /= 4) or ((ranges_row mod 2) = 1);
+      end if;
       ranges_column_all := coarseleftright_checked_tag_valid and coarseleftright_checked_tag_output_column;
       ranges_column_all_2 := coarseleftright_checked_tag_start_of_frame and coarseleftright_checked_tag_valid and
         coarseleftright_checked_tag_output_column;
       ranges_column_any := (ranges_row /= 9) or ranges_column_all_2;
-      ranges_column_choice_3 := ranges_column_any when ranges_column_all else ranges_column_all_2;
-      ranges_column_choice_4 := ranges_column_choice_3 when ranges_column_choice_2 else ranges_column_any;
+      if ranges_column_all then
+        ranges_column_choice_3 := ranges_column_any;
+      else
+        ranges_column_choice_3 := ranges_column_all_2;
+      end if;
+      if ranges_column_choice_2 then
+        ranges_column_choice_4 := ranges_column_choice_3;
+      else
+        ranges_column_choice_4 := ranges_column_any;
+      end if;
       ranges_column_is_equal := (ranges_column / 4) = 4;
       ranges_column_any_2 := ranges_column_all_2 or ((ranges_column mod 4) = 0);
       ranges_column_any_3 := (not coarseleftright_checked_tag_start_of_frame) or (not
         coarseleftright_checked_tag_valid) or (not coarseleftright_checked_tag_output_column);
-      ranges_column_choice_5 := ranges_column when ranges_column_any_3 else 0;
-      ranges_column_choice_6 := 0 when (not ranges_column_all_2) and ranges_column_is_equal and ranges_column_any_2
-        else (ranges_column_choice_5 + 1) mod 32;
-      ranges_row_choice := ranges_row when ranges_column_any_3 else 0;
+      if ranges_column_any_3 then
+        ranges_column_choice_5 := ranges_column;
+      else
+        ranges_column_choice_5 := 0;
+      end if;
+      if (not ranges_column_all_2) and ranges_column_is_equal and ranges_column_any_2 then
+        ranges_column_choice_6 := 0;
+      else
+        ranges_column_choice_6 := (ranges_column_choice_5 + 1) mod 32;
+      end if;
+      if ranges_column_any_3 then
+        ranges_row_choice := ranges_row;
+      else
+        ranges_row_choice := 0;
+      end if;
       ranges_row_all := (ranges_row = 9) and (not ranges_column_all_2);
-      ranges_row_choice_2 := ranges_row_all when ranges_column_all else not ranges_column_all_2;
-      ranges_row_choice_3 := ranges_row_choice_2 when ranges_column_choice_2 else ranges_row_all;
-      ranges_pixel_0_choice := coarseleftright_checked_tag_valid and coarseleftright_checked_tag_output_column and
-        coarseleftright_checked_passed_0 when ranges_column_choice_2 else coarseleftright_checked_tag_valid and
-        coarseleftright_checked_tag_output_column and coarseleftright_checked_tag_start_of_frame and
-        coarseleftright_checked_passed_0;
+      if ranges_column_all then
+        ranges_row_choice_2 := ranges_row_all;
+      else
+        ranges_row_choice_2 := not ranges_column_all_2;
+      end if;
+      if ranges_column_choice_2 then
+        ranges_row_choice_3 := ranges_row_choice_2;
+      else
+        ranges_row_choice_3 := ranges_row_all;
+      end if;
+      if ranges_column_choice_2 then
+        ranges_pixel_0_choice := coarseleftright_checked_tag_valid and coarseleftright_checked_tag_output_column and
+          coarseleftright_checked_passed_0;
+      else
+        ranges_pixel_0_choice := coarseleftright_checked_tag_valid and coarseleftright_checked_tag_output_column and
+          coarseleftright_checked_tag_start_of_frame and coarseleftright_checked_passed_0;
+      end if;
       ranges_centre_valid_differs := ranges_ready_row /= 0;
       ranges_counts_sum := (ranges_middle mod 8) + 1;
       ranges_counts_difference := ranges_counts_sum - (ranges_above mod 8);
@@ -3632,16 +4304,28 @@ begin
         3) and ((ranges_below / 8) = 1))) + as_number(((ranges_counts_difference_4 >= 0) and
         (ranges_counts_difference_4 < 3) and ((ranges_left / 8) = 1)));
       ranges_pair_0_value := ((ranges_disparity / 2) mod 2) = 1;
-      ranges_pair_0_choice := (not (((ranges_first_of_pair / 4) mod 2) = 1)) or ranges_counts when ranges_pair_0_value
-        else not (((ranges_first_of_pair / 4) mod 2) = 1);
-      ranges_pair_0_choice_2 := ranges_pair_0_choice when ((ranges_disparity mod 2) = 1) and (not
-        (((ranges_first_of_pair / 2) mod 2) = 1)) and ranges_counts else ranges_pair_0_value and (not
-        (((ranges_first_of_pair / 4) mod 2) = 1)) and ranges_counts;
+      if ranges_pair_0_value then
+        ranges_pair_0_choice := (not (((ranges_first_of_pair / 4) mod 2) = 1)) or ranges_counts;
+      else
+        ranges_pair_0_choice := not (((ranges_first_of_pair / 4) mod 2) = 1);
+      end if;
+      if ((ranges_disparity mod 2) = 1) and (not (((ranges_first_of_pair / 2) mod 2) = 1)) and ranges_counts then
+        ranges_pair_0_choice_2 := ranges_pair_0_choice;
+      else
+        ranges_pair_0_choice_2 := ranges_pair_0_value and (not (((ranges_first_of_pair / 4) mod 2) = 1)) and
+          ranges_counts;
+      end if;
       ranges_pair_0_value_2 := ((ranges_first_of_pair / 8) mod 2) = 1;
-      ranges_pair_0_choice_3 := ranges_pair_0_value_2 and ranges_counts when (ranges_disparity / 4) = 1 else
-        ranges_counts;
-      ranges_pair_0_choice_4 := (not ((ranges_disparity / 4) = 1)) and ranges_pair_0_value_2 and ranges_counts when
-        ranges_pair_0_choice_2 else ranges_pair_0_choice_3;
+      if (ranges_disparity / 4) = 1 then
+        ranges_pair_0_choice_3 := ranges_pair_0_value_2 and ranges_counts;
+      else
+        ranges_pair_0_choice_3 := ranges_counts;
+      end if;
+      if ranges_pair_0_choice_2 then
+        ranges_pair_0_choice_4 := (not ((ranges_disparity / 4) = 1)) and ranges_pair_0_value_2 and ranges_counts;
+      else
+        ranges_pair_0_choice_4 := ranges_pair_0_choice_3;
+      end if;
       if ranges_counts then
         ranges_pair_0_choice_5 := (((ranges_disparity * 8) + ranges_disparity) * 2) + 1;
       else
@@ -3652,50 +4336,89 @@ begin
       else
         ranges_pair_0_choice_6 := (ranges_pair_0_choice_5 / 2) mod 8;
       end if;
-      ranges_pair_0_choice_7 := (not (((ranges_first_of_pair / 32) mod 2) = 1)) and ranges_pair_0_value and
-        ranges_counts when (((ranges_first_of_pair / 16) mod 2) = 1) and ((not ((ranges_disparity mod 2) = 1)) or (not
-        ranges_counts)) else (not (((ranges_first_of_pair / 32) mod 2) = 1)) or (ranges_pair_0_value and ranges_counts);
-      ranges_pair_0_choice_8 := ((ranges_disparity / 4) = 1) and ranges_counts when (ranges_first_of_pair / 64) = 1
-        else ranges_counts;
-      ranges_pair_0_choice_9 := ranges_pair_0_choice_8 when ranges_pair_0_choice_7 else (not ((ranges_first_of_pair /
-        64) = 1)) and ((ranges_disparity / 4) = 1) and ranges_counts;
+      if (((ranges_first_of_pair / 16) mod 2) = 1) and ((not ((ranges_disparity mod 2) = 1)) or (not ranges_counts))
+        then
+        ranges_pair_0_choice_7 := (not (((ranges_first_of_pair / 32) mod 2) = 1)) and ranges_pair_0_value and
+          ranges_counts;
+      else
+        ranges_pair_0_choice_7 := (not (((ranges_first_of_pair / 32) mod 2) = 1)) or (ranges_pair_0_value and
+          ranges_counts);
+      end if;
+      if (ranges_first_of_pair / 64) = 1 then
+        ranges_pair_0_choice_8 := ((ranges_disparity / 4) = 1) and ranges_counts;
+      else
+        ranges_pair_0_choice_8 := ranges_counts;
+      end if;
+      if ranges_pair_0_choice_7 then
+        ranges_pair_0_choice_9 := ranges_pair_0_choice_8;
+      else
+        ranges_pair_0_choice_9 := (not ((ranges_first_of_pair / 64) = 1)) and ((ranges_disparity / 4) = 1) and
+          ranges_counts;
+      end if;
       if (not ranges_pair_0_choice_9) and ((ranges_first_of_pair mod 2) = 1) then
         ranges_pair_0_choice_10 := ranges_first_of_pair / 16;
       else
         ranges_pair_0_choice_10 := ranges_pair_0_choice_5 / 16;
       end if;
       ranges_range_value := ((ranges_pairs_ready_newest_0 / 2) mod 2) = 1;
-      ranges_range_choice := (not (((ranges_pairs_ready_words_0 / 4) mod 2) = 1)) or (not (((ranges_pairs_ready_words_0
-        / 2) mod 2) = 1)) when ranges_range_value else not (((ranges_pairs_ready_words_0 / 4) mod 2) = 1);
-      ranges_range_choice_2 := ranges_range_choice when ((ranges_pairs_ready_newest_0 / 4) mod 2) = 1 else
-        ranges_range_value and (((ranges_pairs_ready_words_0 / 2) mod 4) = 0);
+      if ranges_range_value then
+        ranges_range_choice := (not (((ranges_pairs_ready_words_0 / 4) mod 2) = 1)) or (not
+          (((ranges_pairs_ready_words_0 / 2) mod 2) = 1));
+      else
+        ranges_range_choice := not (((ranges_pairs_ready_words_0 / 4) mod 2) = 1);
+      end if;
+      if ((ranges_pairs_ready_newest_0 / 4) mod 2) = 1 then
+        ranges_range_choice_2 := ranges_range_choice;
+      else
+        ranges_range_choice_2 := ranges_range_value and (((ranges_pairs_ready_words_0 / 2) mod 4) = 0);
+      end if;
       ranges_range_value_2 := ((ranges_pairs_ready_newest_0 / 8) mod 2) = 1;
       ranges_range_value_3 := ((ranges_pairs_ready_words_0 / 8) mod 2) = 1;
-      ranges_range_choice_3 := ranges_range_value_3 and ((ranges_pairs_ready_newest_0 mod 2) = 1) when
-        ranges_range_value_2 else (ranges_pairs_ready_newest_0 mod 2) = 1;
-      ranges_range_choice_4 := (not ranges_range_value_2) and ranges_range_value_3 and ((ranges_pairs_ready_newest_0
-        mod 2) = 1) when ranges_range_choice_2 else ranges_range_choice_3;
+      if ranges_range_value_2 then
+        ranges_range_choice_3 := ranges_range_value_3 and ((ranges_pairs_ready_newest_0 mod 2) = 1);
+      else
+        ranges_range_choice_3 := (ranges_pairs_ready_newest_0 mod 2) = 1;
+      end if;
+      if ranges_range_choice_2 then
+        ranges_range_choice_4 := (not ranges_range_value_2) and ranges_range_value_3 and ((ranges_pairs_ready_newest_0
+          mod 2) = 1);
+      else
+        ranges_range_choice_4 := ranges_range_choice_3;
+      end if;
       if (not ranges_range_choice_4) and ((ranges_pairs_ready_words_0 mod 2) = 1) then
         ranges_range_choice_5 := (ranges_pairs_ready_words_0 / 2) mod 8;
       else
         ranges_range_choice_5 := (ranges_pairs_ready_newest_0 / 2) mod 8;
       end if;
       ranges_range_value_4 := ((ranges_pairs_ready_newest_0 / 16) mod 2) = 1;
-      ranges_range_choice_6 := not (((ranges_pairs_ready_words_0 / 32) mod 2) = 1) when ranges_range_value_4 else
-        ((ranges_pairs_ready_words_0 / 16) mod 4) = 0;
-      ranges_range_choice_7 := ranges_range_value_4 or (not (((ranges_pairs_ready_words_0 / 32) mod 2) = 1)) or (not
-        (((ranges_pairs_ready_words_0 / 16) mod 2) = 1)) when ((ranges_pairs_ready_newest_0 / 32) mod 2) = 1 else
-        ranges_range_choice_6;
-      ranges_range_choice_8 := (ranges_pairs_ready_newest_0 mod 2) = 1 when (ranges_pairs_ready_newest_0 / 64) = 1 else
-        (not ((ranges_pairs_ready_words_0 / 64) = 1)) and ((ranges_pairs_ready_newest_0 mod 2) = 1);
-      ranges_range_choice_9 := ranges_range_choice_8 when ranges_range_choice_7 else ((ranges_pairs_ready_newest_0 /
-        64) = 1) and (not ((ranges_pairs_ready_words_0 / 64) = 1)) and ((ranges_pairs_ready_newest_0 mod 2) = 1);
+      if ranges_range_value_4 then
+        ranges_range_choice_6 := not (((ranges_pairs_ready_words_0 / 32) mod 2) = 1);
+      else
+        ranges_range_choice_6 := ((ranges_pairs_ready_words_0 / 16) mod 4) = 0;
+      end if;
+      if ((ranges_pairs_ready_newest_0 / 32) mod 2) = 1 then
+        ranges_range_choice_7 := ranges_range_value_4 or (not (((ranges_pairs_ready_words_0 / 32) mod 2) = 1)) or (not
+          (((ranges_pairs_ready_words_0 / 16) mod 2) = 1));
+      else
+        ranges_range_choice_7 := ranges_range_choice_6;
+      end if;
+      if (ranges_pairs_ready_newest_0 / 64) = 1 then
+        ranges_range_choice_8 := (ranges_pairs_ready_newest_0 mod 2) = 1;
+      else
+        ranges_range_choice_8 := (not ((ranges_pairs_ready_words_0 / 64) = 1)) and ((ranges_pairs_ready_newest_0 mod 2)
+          = 1);
+      end if;
+      if ranges_range_choice_7 then
+        ranges_range_choice_9 := ranges_range_choice_8;
+      else
+        ranges_range_choice_9 := ((ranges_pairs_ready_newest_0 / 64) = 1) and (not ((ranges_pairs_ready_words_0 / 64) =
+          1)) and ((ranges_pairs_ready_newest_0 mod 2) = 1);
+      end if;
       if (not ranges_range_choice_9) and ((ranges_pairs_ready_words_0 mod 2) = 1) then
         ranges_range_choice_10 := ranges_pairs_ready_words_0 / 16;
       else
         ranges_range_choice_10 := ranges_pairs_ready_newest_0 / 16;
       end if;
-      ranges_column <= ranges_column_choice_6 when ranges_column_choice_4 else ranges_column_choice_5;
       ranges_row <= (ranges_row_choice + as_number(((not ranges_row_choice_3) and (not ranges_column_all_2) and
         ranges_column_is_equal and ranges_column_any_2))) mod 16;
       ranges_pixel_0 <= (as_number(ranges_pixel_0_choice) * 8) + coarseleftright_checked_disparity_0;
@@ -3713,16 +4436,10 @@ begin
       ranges_ready_valid <= ranges_read_valid;
       ranges_centre_column <= ranges_ready_column;
       ranges_centre_row <= (ranges_ready_row + 65535) mod 65536;
-      ranges_centre_valid <= ranges_centre_valid_differs and ranges_ready_valid and ((ranges_ready_column mod 2) = 1)
-        when (ranges_ready_column / 2) = 0 else ranges_centre_valid_differs and ranges_ready_valid;
-      ranges_counts <= (ranges_middle / 8) = 1 when (ranges_counts_sum_2 / 4) = 1 else (((ranges_counts_sum_2 / 2) mod
-        2) = 1) and ((ranges_middle / 8) = 1);
       ranges_disparity <= ranges_middle mod 8;
       ranges_counted_column <= ranges_centre_column;
       ranges_counted_row <= ranges_centre_row;
       ranges_counted_valid <= ranges_centre_valid;
-      ranges_pair_0 <= 0 when (not ((ranges_first_of_pair mod 2) = 1)) and (not ranges_counts) else
-        (ranges_pair_0_choice_6 * 2) + (ranges_pair_0_choice_10 * 16) + 1;
       ranges_paired_column <= ranges_counted_column / 2;
       ranges_paired_row <= ranges_counted_row;
       ranges_paired_valid <= ranges_counted_valid and (not ((ranges_counted_column mod 2) = 1));
@@ -3735,11 +4452,34 @@ begin
       ranges_pair_ready_column <= ranges_pair_read_column;
       ranges_pair_ready_row <= ranges_pair_read_row;
       ranges_pair_ready_valid <= ranges_pair_read_valid;
-      ranges_range <= 0 when (not ((ranges_pairs_ready_words_0 mod 2) = 1)) and (not ((ranges_pairs_ready_newest_0 mod
-        2) = 1)) else (ranges_range_choice_5 * 2) + (ranges_range_choice_10 * 16) + 1;
       ranges_block_column <= (ranges_pair_ready_column + 65535) mod 65536;
       ranges_block_row <= ranges_pair_ready_row / 2;
       ranges_valid <= ranges_pair_ready_valid and ((ranges_pair_ready_row mod 2) = 1);
+      if ranges_column_choice_4 then
+        ranges_column <= ranges_column_choice_6;
+      else
+        ranges_column <= ranges_column_choice_5;
+      end if;
+      if (ranges_ready_column / 2) = 0 then
+        ranges_centre_valid <= ranges_centre_valid_differs and ranges_ready_valid and ((ranges_ready_column mod 2) = 1);
+      else
+        ranges_centre_valid <= ranges_centre_valid_differs and ranges_ready_valid;
+      end if;
+      if (ranges_counts_sum_2 / 4) = 1 then
+        ranges_counts <= (ranges_middle / 8) = 1;
+      else
+        ranges_counts <= (((ranges_counts_sum_2 / 2) mod 2) = 1) and ((ranges_middle / 8) = 1);
+      end if;
+      if (not ((ranges_first_of_pair mod 2) = 1)) and (not ranges_counts) then
+        ranges_pair_0 <= 0;
+      else
+        ranges_pair_0 <= (ranges_pair_0_choice_6 * 2) + (ranges_pair_0_choice_10 * 16) + 1;
+      end if;
+      if (not ((ranges_pairs_ready_words_0 mod 2) = 1)) and (not ((ranges_pairs_ready_newest_0 mod 2) = 1)) then
+        ranges_range <= 0;
+      else
+        ranges_range <= (ranges_range_choice_5 * 2) + (ranges_range_choice_10 * 16) + 1;
+      end if;
       ranges_next_above_value := ((ranges_ready_row / 4) mod 2) = 1;
       ranges_next_above_value_2 := ((ranges_ready_row / 2) mod 2) = 1;
       if ranges_ready_valid then
@@ -3749,11 +4489,18 @@ begin
         ranges_above <= ranges_next_above;
         ranges_middle <= ranges_right;
         ranges_below <= ranges_next_below;
-        ranges_next_above <= ranges_pixels_ready_words_0 mod 16 when ((ranges_ready_row / 8) = 1) or
-          ranges_next_above_value or ranges_next_above_value_2 else 0;
-        ranges_right <= ranges_pixels_ready_words_0 / 16 when ((ranges_ready_row mod 2) = 1) or ((ranges_ready_row / 8)
-          = 1) or ranges_next_above_value or ranges_next_above_value_2 else 0;
         ranges_next_below <= ranges_pixels_ready_newest_0;
+        if ((ranges_ready_row / 8) = 1) or ranges_next_above_value or ranges_next_above_value_2 then
+          ranges_next_above <= ranges_pixels_ready_words_0 mod 16;
+        else
+          ranges_next_above <= 0;
+        end if;
+        if ((ranges_ready_row mod 2) = 1) or ((ranges_ready_row / 8) = 1) or ranges_next_above_value or
+          ranges_next_above_value_2 then
+          ranges_right <= ranges_pixels_ready_words_0 / 16;
+        else
+          ranges_right <= 0;
+        end if;
       end if;
       if ranges_counted_valid then
         ranges_first_of_pair <= ranges_pair_0_choice_5;
@@ -3765,7 +4512,11 @@ begin
       -- targets
       targets_pause_all := (ranges_block_row /= 0) and (ranges_block_column = 7) and ranges_valid;
       targets_pause_is_equal := targets_pause = 6;
-      targets_pause_choice := 6 when targets_pause_is_equal else (targets_pause + 1) mod 65536;
+      if targets_pause_is_equal then
+        targets_pause_choice := 6;
+      else
+        targets_pause_choice := (targets_pause + 1) mod 65536;
+      end if;
       targets_walked_is_equal := targets_walked = 8;
       targets_walked_all := targets_last_row and targets_walked_is_equal and (not targets_again) and
         targets_pause_is_equal;
@@ -3777,72 +4528,151 @@ begin
       else
         targets_walk_place_choice := targets_walk_place;
       end if;
-      targets_again_choice := (not targets_again) and (targets_pause /= 6) when targets_walked_is_equal else not
-        targets_again;
-      targets_again_choice_2 := targets_again_choice when targets_last_row else not targets_again;
+      if targets_walked_is_equal then
+        targets_again_choice := (not targets_again) and (targets_pause /= 6);
+      else
+        targets_again_choice := not targets_again;
+      end if;
+      if targets_last_row then
+        targets_again_choice_2 := targets_again_choice;
+      else
+        targets_again_choice_2 := not targets_again;
+      end if;
       targets_column_range_value := ((targets_rows_ready_words_0 / 128) mod 2) = 1;
       targets_column_range_all := targets_ready_walk_has_above and targets_ready_walk_has_below;
-      targets_column_range_choice := targets_ready_walk_has_above when targets_column_range_value else
-        targets_column_range_all;
-      targets_column_range_choice_2 := targets_column_range_choice when (targets_rows_ready_words_0 mod 2) = 1 else
-        targets_column_range_value and targets_ready_walk_has_above and (not targets_ready_walk_has_below);
+      if targets_column_range_value then
+        targets_column_range_choice := targets_ready_walk_has_above;
+      else
+        targets_column_range_choice := targets_column_range_all;
+      end if;
+      if (targets_rows_ready_words_0 mod 2) = 1 then
+        targets_column_range_choice_2 := targets_column_range_choice;
+      else
+        targets_column_range_choice_2 := targets_column_range_value and targets_ready_walk_has_above and (not
+          targets_ready_walk_has_below);
+      end if;
       targets_column_range_value_2 := ((targets_rows_ready_words_0 / 16384) mod 2) = 1;
-      targets_column_range_choice_3 := (not targets_column_range_value) and targets_ready_walk_has_below when
-        targets_column_range_value_2 else (not targets_column_range_value) or (not targets_ready_walk_has_below);
+      if targets_column_range_value_2 then
+        targets_column_range_choice_3 := (not targets_column_range_value) and targets_ready_walk_has_below;
+      else
+        targets_column_range_choice_3 := (not targets_column_range_value) or (not targets_ready_walk_has_below);
+      end if;
       targets_column_range_any := (not targets_column_range_value_2) or (not targets_ready_walk_has_below);
       targets_column_range_all_2 := (not targets_column_range_choice_2) and targets_column_range_choice_3;
       targets_column_range_value_3 := ((targets_rows_ready_words_0 / 512) mod 2) = 1;
       targets_column_range_value_4 := ((targets_rows_ready_words_0 / 65536) mod 2) = 1;
-      targets_column_range_choice_4 := targets_column_range_value_3 when targets_ready_walk_has_below else
-        targets_column_range_value_4;
-      targets_column_range_choice_5 := targets_ready_walk_has_above when targets_column_range_value_3 else
-        targets_column_range_all;
-      targets_column_range_choice_6 := targets_column_range_choice_5 when ((targets_rows_ready_words_0 / 4) mod 2) = 1
-        else targets_column_range_value_3 and targets_ready_walk_has_above and (not targets_ready_walk_has_below);
+      if targets_ready_walk_has_below then
+        targets_column_range_choice_4 := targets_column_range_value_3;
+      else
+        targets_column_range_choice_4 := targets_column_range_value_4;
+      end if;
+      if targets_column_range_value_3 then
+        targets_column_range_choice_5 := targets_ready_walk_has_above;
+      else
+        targets_column_range_choice_5 := targets_column_range_all;
+      end if;
+      if ((targets_rows_ready_words_0 / 4) mod 2) = 1 then
+        targets_column_range_choice_6 := targets_column_range_choice_5;
+      else
+        targets_column_range_choice_6 := targets_column_range_value_3 and targets_ready_walk_has_above and (not
+          targets_ready_walk_has_below);
+      end if;
       targets_column_range_value_5 := ((targets_rows_ready_words_0 / 256) mod 2) = 1;
       targets_column_range_value_6 := ((targets_rows_ready_words_0 / 32768) mod 2) = 1;
-      targets_column_range_choice_7 := targets_column_range_value_5 when targets_ready_walk_has_below else
-        targets_column_range_value_6;
-      targets_column_range_choice_8 := targets_ready_walk_has_above when targets_column_range_value_5 else
-        targets_column_range_all;
-      targets_column_range_choice_9 := targets_column_range_choice_8 when ((targets_rows_ready_words_0 / 2) mod 2) = 1
-        else targets_column_range_value_5 and targets_ready_walk_has_above and (not targets_ready_walk_has_below);
-      targets_column_range_choice_10 := (not targets_column_range_choice_6) or (targets_column_range_choice_7 and (not
-        targets_column_range_choice_9)) when targets_column_range_choice_4 else (not targets_column_range_choice_6) and
-        targets_column_range_choice_7 and (not targets_column_range_choice_9);
+      if targets_ready_walk_has_below then
+        targets_column_range_choice_7 := targets_column_range_value_5;
+      else
+        targets_column_range_choice_7 := targets_column_range_value_6;
+      end if;
+      if targets_column_range_value_5 then
+        targets_column_range_choice_8 := targets_ready_walk_has_above;
+      else
+        targets_column_range_choice_8 := targets_column_range_all;
+      end if;
+      if ((targets_rows_ready_words_0 / 2) mod 2) = 1 then
+        targets_column_range_choice_9 := targets_column_range_choice_8;
+      else
+        targets_column_range_choice_9 := targets_column_range_value_5 and targets_ready_walk_has_above and (not
+          targets_ready_walk_has_below);
+      end if;
+      if targets_column_range_choice_4 then
+        targets_column_range_choice_10 := (not targets_column_range_choice_6) or (targets_column_range_choice_7 and
+          (not targets_column_range_choice_9));
+      else
+        targets_column_range_choice_10 := (not targets_column_range_choice_6) and targets_column_range_choice_7 and
+          (not targets_column_range_choice_9);
+      end if;
       targets_column_range_value_7 := ((targets_rows_ready_words_0 / 1024) mod 2) = 1;
       targets_column_range_value_8 := ((targets_rows_ready_words_0 / 131072) mod 2) = 1;
-      targets_column_range_choice_11 := targets_column_range_value_7 when targets_ready_walk_has_below else
-        targets_column_range_value_8;
-      targets_column_range_choice_12 := targets_ready_walk_has_above when targets_column_range_value_7 else
-        targets_column_range_all;
-      targets_column_range_choice_13 := targets_column_range_choice_12 when ((targets_rows_ready_words_0 / 8) mod 2) =
-        1 else targets_column_range_value_7 and targets_ready_walk_has_above and (not targets_ready_walk_has_below);
-      targets_column_range_choice_14 := targets_column_range_value when targets_ready_walk_has_below else
-        targets_column_range_value_2;
-      targets_column_range_choice_15 := targets_column_range_choice_13 and targets_column_range_choice_14 when
-        targets_column_range_choice_11 else targets_column_range_choice_14;
-      targets_column_range_choice_16 := (not targets_column_range_choice_11) and targets_column_range_choice_13 and
-        targets_column_range_choice_14 when targets_column_range_choice_10 else targets_column_range_choice_15;
+      if targets_ready_walk_has_below then
+        targets_column_range_choice_11 := targets_column_range_value_7;
+      else
+        targets_column_range_choice_11 := targets_column_range_value_8;
+      end if;
+      if targets_column_range_value_7 then
+        targets_column_range_choice_12 := targets_ready_walk_has_above;
+      else
+        targets_column_range_choice_12 := targets_column_range_all;
+      end if;
+      if ((targets_rows_ready_words_0 / 8) mod 2) = 1 then
+        targets_column_range_choice_13 := targets_column_range_choice_12;
+      else
+        targets_column_range_choice_13 := targets_column_range_value_7 and targets_ready_walk_has_above and (not
+          targets_ready_walk_has_below);
+      end if;
+      if targets_ready_walk_has_below then
+        targets_column_range_choice_14 := targets_column_range_value;
+      else
+        targets_column_range_choice_14 := targets_column_range_value_2;
+      end if;
+      if targets_column_range_choice_11 then
+        targets_column_range_choice_15 := targets_column_range_choice_13 and targets_column_range_choice_14;
+      else
+        targets_column_range_choice_15 := targets_column_range_choice_14;
+      end if;
+      if targets_column_range_choice_10 then
+        targets_column_range_choice_16 := (not targets_column_range_choice_11) and targets_column_range_choice_13 and
+          targets_column_range_choice_14;
+      else
+        targets_column_range_choice_16 := targets_column_range_choice_15;
+      end if;
       targets_column_range_all_3 := (not targets_column_range_choice_16) and targets_column_range_choice_2;
-      targets_column_range_choice_17 := targets_column_range_choice_6 when targets_column_range_all_3 else
-        targets_column_range_choice_4;
-      targets_column_range_choice_18 := targets_column_range_choice_9 when targets_column_range_all_3 else
-        targets_column_range_choice_7;
-      targets_column_range_choice_19 := (not ((not targets_column_range_all_2) and targets_column_range_choice_18)) and
-        targets_ready_walk_has_below and (((targets_rows_ready_words_0 / 32768) mod 4) = 3) when (not
-        targets_column_range_all_2) and targets_column_range_choice_17 else ((not ((not targets_column_range_all_2) and
-        targets_column_range_choice_18)) and targets_column_range_value_6 and targets_ready_walk_has_below) or
-        (targets_column_range_value_4 and targets_ready_walk_has_below);
-      targets_column_range_choice_20 := targets_column_range_choice_13 when targets_column_range_all_3 else
-        targets_column_range_choice_11;
-      targets_column_range_choice_21 := (not ((not targets_column_range_all_2) and targets_column_range_choice_20)) or
-        (targets_column_range_value_8 and targets_ready_walk_has_below) when targets_column_range_choice_19 else (not
-        ((not targets_column_range_all_2) and targets_column_range_choice_20)) and targets_column_range_value_8 and
-        targets_ready_walk_has_below;
+      if targets_column_range_all_3 then
+        targets_column_range_choice_17 := targets_column_range_choice_6;
+      else
+        targets_column_range_choice_17 := targets_column_range_choice_4;
+      end if;
+      if targets_column_range_all_3 then
+        targets_column_range_choice_18 := targets_column_range_choice_9;
+      else
+        targets_column_range_choice_18 := targets_column_range_choice_7;
+      end if;
+      if (not targets_column_range_all_2) and targets_column_range_choice_17 then
+        targets_column_range_choice_19 := (not ((not targets_column_range_all_2) and targets_column_range_choice_18))
+          and targets_ready_walk_has_below and (((targets_rows_ready_words_0 / 32768) mod 4) = 3);
+      else
+        targets_column_range_choice_19 := ((not ((not targets_column_range_all_2) and targets_column_range_choice_18))
+          and targets_column_range_value_6 and targets_ready_walk_has_below) or (targets_column_range_value_4 and
+          targets_ready_walk_has_below);
+      end if;
+      if targets_column_range_all_3 then
+        targets_column_range_choice_20 := targets_column_range_choice_13;
+      else
+        targets_column_range_choice_20 := targets_column_range_choice_11;
+      end if;
+      if targets_column_range_choice_19 then
+        targets_column_range_choice_21 := (not ((not targets_column_range_all_2) and targets_column_range_choice_20))
+          or (targets_column_range_value_8 and targets_ready_walk_has_below);
+      else
+        targets_column_range_choice_21 := (not ((not targets_column_range_all_2) and targets_column_range_choice_20))
+          and targets_column_range_value_8 and targets_ready_walk_has_below;
+      end if;
       targets_column_range_all_4 := (not targets_column_range_all_2) and targets_column_range_any;
-      targets_column_range_choice_22 := not targets_column_range_all_2 when targets_column_range_choice_21 else
-        targets_column_range_all_4;
+      if targets_column_range_choice_21 then
+        targets_column_range_choice_22 := not targets_column_range_all_2;
+      else
+        targets_column_range_choice_22 := targets_column_range_all_4;
+      end if;
       targets_column_range_value_9 := (targets_rows_ready_words_0 mod 128) / 2;
       targets_column_range_value_10 := ((targets_rows_ready_words_0 / 128) mod 128) / 2;
       if targets_ready_walk_has_below then
@@ -3850,80 +4680,170 @@ begin
       else
         targets_column_range_choice_23 := targets_column_range_value_10 mod 8;
       end if;
-      targets_column_range_choice_24 := targets_column_range_choice_23 when targets_ready_walk_has_above else 0;
+      if targets_ready_walk_has_above then
+        targets_column_range_choice_24 := targets_column_range_choice_23;
+      else
+        targets_column_range_choice_24 := 0;
+      end if;
       targets_column_range_value_11 := (targets_rows_ready_words_0 / 32768) mod 8;
       if targets_ready_walk_has_below then
         targets_column_range_choice_25 := targets_column_range_value_10 mod 8;
       else
         targets_column_range_choice_25 := targets_column_range_value_11;
       end if;
-      targets_column_range_choice_26 := targets_column_range_choice_24 when targets_column_range_all_3 else
-        targets_column_range_choice_25;
-      targets_column_range_choice_27 := 0 when targets_column_range_all_2 else targets_column_range_choice_26;
-      targets_column_range_choice_28 := targets_column_range_value_11 when targets_ready_walk_has_below else 0;
-      targets_column_range_choice_29 := targets_column_range_choice_27 when targets_column_range_choice_22 else
-        targets_column_range_choice_28;
+      if targets_column_range_all_3 then
+        targets_column_range_choice_26 := targets_column_range_choice_24;
+      else
+        targets_column_range_choice_26 := targets_column_range_choice_25;
+      end if;
+      if targets_column_range_all_2 then
+        targets_column_range_choice_27 := 0;
+      else
+        targets_column_range_choice_27 := targets_column_range_choice_26;
+      end if;
+      if targets_ready_walk_has_below then
+        targets_column_range_choice_28 := targets_column_range_value_11;
+      else
+        targets_column_range_choice_28 := 0;
+      end if;
+      if targets_column_range_choice_22 then
+        targets_column_range_choice_29 := targets_column_range_choice_27;
+      else
+        targets_column_range_choice_29 := targets_column_range_choice_28;
+      end if;
       targets_column_range_value_12 := ((targets_rows_ready_words_0 / 4096) mod 2) = 1;
       targets_column_range_value_13 := ((targets_rows_ready_words_0 / 524288) mod 2) = 1;
-      targets_column_range_choice_30 := targets_column_range_value_12 when targets_ready_walk_has_below else
-        targets_column_range_value_13;
-      targets_column_range_choice_31 := targets_ready_walk_has_above when targets_column_range_value_12 else
-        targets_column_range_all;
-      targets_column_range_choice_32 := targets_column_range_choice_31 when ((targets_rows_ready_words_0 / 32) mod 2) =
-        1 else targets_column_range_value_12 and targets_ready_walk_has_above and (not targets_ready_walk_has_below);
+      if targets_ready_walk_has_below then
+        targets_column_range_choice_30 := targets_column_range_value_12;
+      else
+        targets_column_range_choice_30 := targets_column_range_value_13;
+      end if;
+      if targets_column_range_value_12 then
+        targets_column_range_choice_31 := targets_ready_walk_has_above;
+      else
+        targets_column_range_choice_31 := targets_column_range_all;
+      end if;
+      if ((targets_rows_ready_words_0 / 32) mod 2) = 1 then
+        targets_column_range_choice_32 := targets_column_range_choice_31;
+      else
+        targets_column_range_choice_32 := targets_column_range_value_12 and targets_ready_walk_has_above and (not
+          targets_ready_walk_has_below);
+      end if;
       targets_column_range_value_14 := ((targets_rows_ready_words_0 / 2048) mod 2) = 1;
       targets_column_range_value_15 := ((targets_rows_ready_words_0 / 262144) mod 2) = 1;
-      targets_column_range_choice_33 := targets_column_range_value_14 when targets_ready_walk_has_below else
-        targets_column_range_value_15;
-      targets_column_range_choice_34 := targets_ready_walk_has_above when targets_column_range_value_14 else
-        targets_column_range_all;
-      targets_column_range_choice_35 := targets_column_range_choice_34 when ((targets_rows_ready_words_0 / 16) mod 2) =
-        1 else targets_column_range_value_14 and targets_ready_walk_has_above and (not targets_ready_walk_has_below);
-      targets_column_range_choice_36 := (not targets_column_range_choice_32) or targets_column_range_choice_33 or (not
-        targets_column_range_choice_35) when targets_column_range_choice_30 else (not targets_column_range_choice_32)
-        and (targets_column_range_choice_33 or (not targets_column_range_choice_35));
+      if targets_ready_walk_has_below then
+        targets_column_range_choice_33 := targets_column_range_value_14;
+      else
+        targets_column_range_choice_33 := targets_column_range_value_15;
+      end if;
+      if targets_column_range_value_14 then
+        targets_column_range_choice_34 := targets_ready_walk_has_above;
+      else
+        targets_column_range_choice_34 := targets_column_range_all;
+      end if;
+      if ((targets_rows_ready_words_0 / 16) mod 2) = 1 then
+        targets_column_range_choice_35 := targets_column_range_choice_34;
+      else
+        targets_column_range_choice_35 := targets_column_range_value_14 and targets_ready_walk_has_above and (not
+          targets_ready_walk_has_below);
+      end if;
+      if targets_column_range_choice_30 then
+        targets_column_range_choice_36 := (not targets_column_range_choice_32) or targets_column_range_choice_33 or
+          (not targets_column_range_choice_35);
+      else
+        targets_column_range_choice_36 := (not targets_column_range_choice_32) and (targets_column_range_choice_33 or
+          (not targets_column_range_choice_35));
+      end if;
       targets_column_range_value_16 := ((targets_rows_ready_words_0 / 8192) mod 2) = 1;
-      targets_column_range_choice_37 := targets_column_range_value_16 when targets_ready_walk_has_below else
-        (targets_rows_ready_words_0 / 1048576) = 1;
-      targets_column_range_choice_38 := targets_ready_walk_has_above when targets_column_range_value_16 else
-        targets_column_range_all;
-      targets_column_range_choice_39 := targets_column_range_choice_38 when ((targets_rows_ready_words_0 / 64) mod 2) =
-        1 else targets_column_range_value_16 and targets_ready_walk_has_above and (not targets_ready_walk_has_below);
-      targets_column_range_choice_40 := targets_column_range_choice_14 when targets_column_range_choice_37 else (not
-        targets_column_range_choice_39) and targets_column_range_choice_14;
-      targets_column_range_choice_41 := targets_column_range_choice_40 when targets_column_range_choice_36 else
-        targets_column_range_choice_37 and (not targets_column_range_choice_39) and targets_column_range_choice_14;
+      if targets_ready_walk_has_below then
+        targets_column_range_choice_37 := targets_column_range_value_16;
+      else
+        targets_column_range_choice_37 := (targets_rows_ready_words_0 / 1048576) = 1;
+      end if;
+      if targets_column_range_value_16 then
+        targets_column_range_choice_38 := targets_ready_walk_has_above;
+      else
+        targets_column_range_choice_38 := targets_column_range_all;
+      end if;
+      if ((targets_rows_ready_words_0 / 64) mod 2) = 1 then
+        targets_column_range_choice_39 := targets_column_range_choice_38;
+      else
+        targets_column_range_choice_39 := targets_column_range_value_16 and targets_ready_walk_has_above and (not
+          targets_ready_walk_has_below);
+      end if;
+      if targets_column_range_choice_37 then
+        targets_column_range_choice_40 := targets_column_range_choice_14;
+      else
+        targets_column_range_choice_40 := (not targets_column_range_choice_39) and targets_column_range_choice_14;
+      end if;
+      if targets_column_range_choice_36 then
+        targets_column_range_choice_41 := targets_column_range_choice_40;
+      else
+        targets_column_range_choice_41 := targets_column_range_choice_37 and (not targets_column_range_choice_39) and
+          targets_column_range_choice_14;
+      end if;
       targets_column_range_all_5 := (not targets_column_range_choice_41) and targets_column_range_choice_2;
-      targets_column_range_choice_42 := targets_column_range_choice_32 when targets_column_range_all_5 else
-        targets_column_range_choice_30;
-      targets_column_range_choice_43 := targets_column_range_choice_35 when targets_column_range_all_5 else
-        targets_column_range_choice_33;
-      targets_column_range_choice_44 := (not ((not targets_column_range_all_2) and targets_column_range_choice_43 and
-        ((not targets_column_range_value_15) or (not targets_ready_walk_has_below)))) and targets_column_range_value_13
-        and targets_ready_walk_has_below when (not targets_column_range_all_2) and targets_column_range_choice_42 else
-        (not ((not targets_column_range_all_2) and targets_column_range_choice_43 and ((not
-        targets_column_range_value_15) or (not targets_ready_walk_has_below)))) or (targets_column_range_value_13 and
-        targets_ready_walk_has_below);
-      targets_column_range_choice_45 := targets_column_range_choice_39 when targets_column_range_all_5 else
-        targets_column_range_choice_37;
-      targets_column_range_choice_46 := (not ((not targets_column_range_all_2) and targets_column_range_choice_45)) or
-        (((targets_rows_ready_words_0 / 1048576) = 1) and targets_ready_walk_has_below) when
-        targets_column_range_choice_44 else (not ((not targets_column_range_all_2) and targets_column_range_choice_45))
-        and ((targets_rows_ready_words_0 / 1048576) = 1) and targets_ready_walk_has_below;
-      targets_column_range_choice_47 := targets_column_range_all_4 when targets_column_range_choice_46 else not
-        targets_column_range_all_2;
-      targets_column_range_choice_48 := targets_column_range_value_9 when targets_ready_walk_has_below else
-        targets_column_range_value_10;
-      targets_column_range_choice_49 := targets_column_range_choice_48 when targets_ready_walk_has_above else 0;
-      targets_column_range_choice_50 := targets_column_range_value_10 when targets_ready_walk_has_below else
-        targets_rows_ready_words_0 / 32768;
+      if targets_column_range_all_5 then
+        targets_column_range_choice_42 := targets_column_range_choice_32;
+      else
+        targets_column_range_choice_42 := targets_column_range_choice_30;
+      end if;
+      if targets_column_range_all_5 then
+        targets_column_range_choice_43 := targets_column_range_choice_35;
+      else
+        targets_column_range_choice_43 := targets_column_range_choice_33;
+      end if;
+      if (not targets_column_range_all_2) and targets_column_range_choice_42 then
+        targets_column_range_choice_44 := (not ((not targets_column_range_all_2) and targets_column_range_choice_43 and
+          ((not targets_column_range_value_15) or (not targets_ready_walk_has_below)))) and
+          targets_column_range_value_13 and targets_ready_walk_has_below;
+      else
+        targets_column_range_choice_44 := (not ((not targets_column_range_all_2) and targets_column_range_choice_43 and
+          ((not targets_column_range_value_15) or (not targets_ready_walk_has_below)))) or
+          (targets_column_range_value_13 and targets_ready_walk_has_below);
+      end if;
+      if targets_column_range_all_5 then
+        targets_column_range_choice_45 := targets_column_range_choice_39;
+      else
+        targets_column_range_choice_45 := targets_column_range_choice_37;
+      end if;
+      if targets_column_range_choice_44 then
+        targets_column_range_choice_46 := (not ((not targets_column_range_all_2) and targets_column_range_choice_45))
+          or (((targets_rows_ready_words_0 / 1048576) = 1) and targets_ready_walk_has_below);
+      else
+        targets_column_range_choice_46 := (not ((not targets_column_range_all_2) and targets_column_range_choice_45))
+          and ((targets_rows_ready_words_0 / 1048576) = 1) and targets_ready_walk_has_below;
+      end if;
+      if targets_column_range_choice_46 then
+        targets_column_range_choice_47 := targets_column_range_all_4;
+      else
+        targets_column_range_choice_47 := not targets_column_range_all_2;
+      end if;
+      if targets_ready_walk_has_below then
+        targets_column_range_choice_48 := targets_column_range_value_9;
+      else
+        targets_column_range_choice_48 := targets_column_range_value_10;
+      end if;
+      if targets_ready_walk_has_above then
+        targets_column_range_choice_49 := targets_column_range_choice_48;
+      else
+        targets_column_range_choice_49 := 0;
+      end if;
+      if targets_ready_walk_has_below then
+        targets_column_range_choice_50 := targets_column_range_value_10;
+      else
+        targets_column_range_choice_50 := targets_rows_ready_words_0 / 32768;
+      end if;
       if targets_column_range_all_5 then
         targets_column_range_choice_51 := (targets_column_range_choice_49 * 2) / 16;
       else
         targets_column_range_choice_51 := (targets_column_range_choice_50 * 2) / 16;
       end if;
-      targets_column_range_choice_52 := 0 when targets_column_range_all_2 else targets_column_range_choice_26 +
-        (targets_column_range_choice_51 * 8);
+      if targets_column_range_all_2 then
+        targets_column_range_choice_52 := 0;
+      else
+        targets_column_range_choice_52 := targets_column_range_choice_26 + (targets_column_range_choice_51 * 8);
+      end if;
       if targets_ready_walk_has_below then
         targets_column_range_choice_53 := targets_rows_ready_words_0 / 32768;
       else
@@ -3934,104 +4854,217 @@ begin
       else
         targets_column_range_choice_54 := (targets_column_range_choice_53 * 2) / 16;
       end if;
-      targets_column_range_choice_55 := 0 when (not targets_column_range_choice_2) and targets_column_range_choice_3
-        and targets_column_range_any else (targets_column_range_choice_29 * 2) + (targets_column_range_choice_54 * 16)
-        + 1;
+      if (not targets_column_range_choice_2) and targets_column_range_choice_3 and targets_column_range_any then
+        targets_column_range_choice_55 := 0;
+      else
+        targets_column_range_choice_55 := (targets_column_range_choice_29 * 2) + (targets_column_range_choice_54 * 16)
+          + 1;
+      end if;
       targets_around_is_equal := targets_column_walk_column = 7;
-      targets_around_choice := targets_around_is_equal when (targets_here mod 2) = 1 else (not ((targets_behind mod 2)
-        = 1)) or targets_around_is_equal;
+      if (targets_here mod 2) = 1 then
+        targets_around_choice := targets_around_is_equal;
+      else
+        targets_around_choice := (not ((targets_behind mod 2) = 1)) or targets_around_is_equal;
+      end if;
       targets_around_value := ((targets_here / 2) mod 2) = 1;
       targets_around_value_2 := ((targets_behind / 2) mod 2) = 1;
       targets_around_differs := targets_column_walk_column /= 7;
       targets_around_value_3 := ((targets_here / 4) mod 2) = 1;
       targets_around_value_4 := ((targets_behind / 4) mod 2) = 1;
-      targets_around_choice_2 := targets_around_value_3 or (not targets_around_value_4) or targets_around_is_equal when
-        targets_around_value and (not targets_around_value_2) and targets_around_differs else targets_around_value_3
-        and (not targets_around_value_4) and targets_around_differs;
+      if targets_around_value and (not targets_around_value_2) and targets_around_differs then
+        targets_around_choice_2 := targets_around_value_3 or (not targets_around_value_4) or targets_around_is_equal;
+      else
+        targets_around_choice_2 := targets_around_value_3 and (not targets_around_value_4) and targets_around_differs;
+      end if;
       targets_around_value_5 := ((targets_here / 8) mod 2) = 1;
       targets_around_value_6 := ((targets_behind / 8) mod 2) = 1;
-      targets_around_choice_3 := targets_around_value_5 or (not targets_around_value_6) or targets_around_is_equal when
-        targets_around_choice_2 else targets_around_value_5 and (not targets_around_value_6) and targets_around_differs;
+      if targets_around_choice_2 then
+        targets_around_choice_3 := targets_around_value_5 or (not targets_around_value_6) or targets_around_is_equal;
+      else
+        targets_around_choice_3 := targets_around_value_5 and (not targets_around_value_6) and targets_around_differs;
+      end if;
       targets_around_all := ((targets_behind mod 2) = 1) and targets_around_differs;
       targets_around_all_2 := (not ((targets_here mod 2) = 1)) and ((targets_behind mod 2) = 1) and
         targets_around_differs;
-      targets_around_choice_4 := targets_around_all when targets_around_choice_3 else targets_around_all_2;
-      targets_around_choice_5 := targets_around_value_2 and targets_around_differs when targets_around_choice_4 else
-        targets_around_value and targets_around_differs;
-      targets_around_choice_6 := targets_around_differs when (targets_here mod 2) = 1 else targets_around_all;
+      if targets_around_choice_3 then
+        targets_around_choice_4 := targets_around_all;
+      else
+        targets_around_choice_4 := targets_around_all_2;
+      end if;
+      if targets_around_choice_4 then
+        targets_around_choice_5 := targets_around_value_2 and targets_around_differs;
+      else
+        targets_around_choice_5 := targets_around_value and targets_around_differs;
+      end if;
+      if (targets_here mod 2) = 1 then
+        targets_around_choice_6 := targets_around_differs;
+      else
+        targets_around_choice_6 := targets_around_all;
+      end if;
       targets_around_value_7 := ((targets_column_range / 2) mod 2) = 1;
-      targets_around_choice_7 := (not targets_around_choice_6) and targets_around_value_7 when targets_around_choice_5
-        else targets_around_value_7;
-      targets_around_choice_8 := targets_around_value_4 and targets_around_differs when targets_around_choice_4 else
-        targets_around_value_3 and targets_around_differs;
+      if targets_around_choice_5 then
+        targets_around_choice_7 := (not targets_around_choice_6) and targets_around_value_7;
+      else
+        targets_around_choice_7 := targets_around_value_7;
+      end if;
+      if targets_around_choice_4 then
+        targets_around_choice_8 := targets_around_value_4 and targets_around_differs;
+      else
+        targets_around_choice_8 := targets_around_value_3 and targets_around_differs;
+      end if;
       targets_around_value_8 := ((targets_column_range / 4) mod 2) = 1;
-      targets_around_choice_9 := (not targets_around_choice_6) and targets_around_value_8 when targets_around_choice_8
-        else targets_around_value_8;
-      targets_around_choice_10 := (not targets_around_choice_8) or (not targets_around_choice_6) or
-        targets_around_value_8 when targets_around_choice_7 else targets_around_choice_9;
-      targets_around_choice_11 := targets_around_value_6 when targets_around_choice_4 else targets_around_value_5;
-      targets_around_choice_12 := (targets_column_range mod 2) = 1 when targets_around_choice_11 and
-        targets_around_choice_6 else (not (((targets_column_range / 8) mod 2) = 1)) and ((targets_column_range mod 2) =
-        1);
-      targets_around_choice_13 := targets_around_choice_11 and targets_around_choice_6 and (not (((targets_column_range
-        / 8) mod 2) = 1)) and ((targets_column_range mod 2) = 1) when targets_around_choice_10 else
-        targets_around_choice_12;
-      targets_around_choice_14 := 0 when targets_around_is_equal else targets_behind;
-      targets_around_choice_15 := 0 when targets_around_is_equal else targets_here;
+      if targets_around_choice_8 then
+        targets_around_choice_9 := (not targets_around_choice_6) and targets_around_value_8;
+      else
+        targets_around_choice_9 := targets_around_value_8;
+      end if;
+      if targets_around_choice_7 then
+        targets_around_choice_10 := (not targets_around_choice_8) or (not targets_around_choice_6) or
+          targets_around_value_8;
+      else
+        targets_around_choice_10 := targets_around_choice_9;
+      end if;
+      if targets_around_choice_4 then
+        targets_around_choice_11 := targets_around_value_6;
+      else
+        targets_around_choice_11 := targets_around_value_5;
+      end if;
+      if targets_around_choice_11 and targets_around_choice_6 then
+        targets_around_choice_12 := (targets_column_range mod 2) = 1;
+      else
+        targets_around_choice_12 := (not (((targets_column_range / 8) mod 2) = 1)) and ((targets_column_range mod 2) =
+          1);
+      end if;
+      if targets_around_choice_10 then
+        targets_around_choice_13 := targets_around_choice_11 and targets_around_choice_6 and (not
+          (((targets_column_range / 8) mod 2) = 1)) and ((targets_column_range mod 2) = 1);
+      else
+        targets_around_choice_13 := targets_around_choice_12;
+      end if;
+      if targets_around_is_equal then
+        targets_around_choice_14 := 0;
+      else
+        targets_around_choice_14 := targets_behind;
+      end if;
+      if targets_around_is_equal then
+        targets_around_choice_15 := 0;
+      else
+        targets_around_choice_15 := targets_here;
+      end if;
       if targets_around_choice_4 then
         targets_around_choice_16 := (targets_around_choice_14 / 2) mod 8;
       else
         targets_around_choice_16 := (targets_around_choice_15 / 2) mod 8;
       end if;
-      targets_around_choice_17 := 0 when targets_around_choice else targets_around_choice_16;
-      targets_around_choice_18 := targets_around_choice_17 when (not targets_around_choice_13) and
-        targets_around_choice_6 else (targets_column_range / 2) mod 8;
+      if targets_around_choice then
+        targets_around_choice_17 := 0;
+      else
+        targets_around_choice_17 := targets_around_choice_16;
+      end if;
+      if (not targets_around_choice_13) and targets_around_choice_6 then
+        targets_around_choice_18 := targets_around_choice_17;
+      else
+        targets_around_choice_18 := (targets_column_range / 2) mod 8;
+      end if;
       targets_around_value_9 := ((targets_here / 16) mod 2) = 1;
       targets_around_value_10 := ((targets_behind / 16) mod 2) = 1;
       targets_around_value_11 := ((targets_here / 32) mod 2) = 1;
       targets_around_value_12 := ((targets_behind / 32) mod 2) = 1;
-      targets_around_choice_19 := targets_around_value_11 and (not targets_around_value_12) and targets_around_differs
-        when (not targets_around_value_9) and targets_around_value_10 and targets_around_differs else
-        targets_around_value_11 or (not targets_around_value_12) or targets_around_is_equal;
-      targets_around_choice_20 := ((targets_here / 64) = 1) or (not ((targets_behind / 64) = 1)) or
-        targets_around_is_equal when targets_around_choice_19 else ((targets_here / 64) = 1) and (not ((targets_behind
-        / 64) = 1)) and targets_around_differs;
-      targets_around_choice_21 := targets_around_all_2 when targets_around_choice_20 else targets_around_all;
-      targets_around_choice_22 := targets_around_value_12 and targets_around_differs when targets_around_choice_21 else
-        targets_around_value_11 and targets_around_differs;
-      targets_around_choice_23 := targets_around_value_10 and targets_around_differs when targets_around_choice_21 else
-        targets_around_value_9 and targets_around_differs;
+      if (not targets_around_value_9) and targets_around_value_10 and targets_around_differs then
+        targets_around_choice_19 := targets_around_value_11 and (not targets_around_value_12) and
+          targets_around_differs;
+      else
+        targets_around_choice_19 := targets_around_value_11 or (not targets_around_value_12) or targets_around_is_equal;
+      end if;
+      if targets_around_choice_19 then
+        targets_around_choice_20 := ((targets_here / 64) = 1) or (not ((targets_behind / 64) = 1)) or
+          targets_around_is_equal;
+      else
+        targets_around_choice_20 := ((targets_here / 64) = 1) and (not ((targets_behind / 64) = 1)) and
+          targets_around_differs;
+      end if;
+      if targets_around_choice_20 then
+        targets_around_choice_21 := targets_around_all_2;
+      else
+        targets_around_choice_21 := targets_around_all;
+      end if;
+      if targets_around_choice_21 then
+        targets_around_choice_22 := targets_around_value_12 and targets_around_differs;
+      else
+        targets_around_choice_22 := targets_around_value_11 and targets_around_differs;
+      end if;
+      if targets_around_choice_21 then
+        targets_around_choice_23 := targets_around_value_10 and targets_around_differs;
+      else
+        targets_around_choice_23 := targets_around_value_9 and targets_around_differs;
+      end if;
       targets_around_all_3 := targets_around_choice_23 and targets_around_choice_6 and (not (((targets_column_range /
         16) mod 2) = 1));
       targets_around_value_13 := ((targets_column_range / 32) mod 2) = 1;
-      targets_around_choice_24 := (not targets_around_choice_6) and targets_around_value_13 when targets_around_all_3
-        else (not targets_around_choice_6) or targets_around_value_13;
-      targets_around_choice_25 := targets_around_choice_24 when targets_around_choice_22 else (not
-        targets_around_all_3) or targets_around_value_13;
-      targets_around_choice_26 := (targets_behind / 64) = 1 when targets_around_choice_21 else (targets_here / 64) = 1;
+      if targets_around_all_3 then
+        targets_around_choice_24 := (not targets_around_choice_6) and targets_around_value_13;
+      else
+        targets_around_choice_24 := (not targets_around_choice_6) or targets_around_value_13;
+      end if;
+      if targets_around_choice_22 then
+        targets_around_choice_25 := targets_around_choice_24;
+      else
+        targets_around_choice_25 := (not targets_around_all_3) or targets_around_value_13;
+      end if;
+      if targets_around_choice_21 then
+        targets_around_choice_26 := (targets_behind / 64) = 1;
+      else
+        targets_around_choice_26 := (targets_here / 64) = 1;
+      end if;
       targets_around_all_4 := targets_around_choice_26 and targets_around_choice_6;
-      targets_around_choice_27 := ((targets_column_range / 64) = 1) and ((targets_column_range mod 2) = 1) when
-        targets_around_all_4 else (targets_column_range mod 2) = 1;
-      targets_around_choice_28 := targets_around_choice_27 when targets_around_choice_25 else (not
-        targets_around_all_4) and ((targets_column_range / 64) = 1) and ((targets_column_range mod 2) = 1);
+      if targets_around_all_4 then
+        targets_around_choice_27 := ((targets_column_range / 64) = 1) and ((targets_column_range mod 2) = 1);
+      else
+        targets_around_choice_27 := (targets_column_range mod 2) = 1;
+      end if;
+      if targets_around_choice_25 then
+        targets_around_choice_28 := targets_around_choice_27;
+      else
+        targets_around_choice_28 := (not targets_around_all_4) and ((targets_column_range / 64) = 1) and
+          ((targets_column_range mod 2) = 1);
+      end if;
       if targets_around_choice_21 then
         targets_around_choice_29 := targets_around_choice_14 / 16;
       else
         targets_around_choice_29 := targets_around_choice_15 / 16;
       end if;
-      targets_around_choice_30 := 0 when targets_around_choice else targets_around_choice_16 +
-        (targets_around_choice_29 * 8);
+      if targets_around_choice then
+        targets_around_choice_30 := 0;
+      else
+        targets_around_choice_30 := targets_around_choice_16 + (targets_around_choice_29 * 8);
+      end if;
       if (not targets_around_choice_28) and targets_around_choice_6 then
         targets_around_choice_31 := (targets_around_choice_30 * 2) / 16;
       else
         targets_around_choice_31 := targets_column_range / 16;
       end if;
       targets_low_wish_value := (((targets_around mod 16) * 2) / 4) * 4;
-      targets_low_wish_choice := targets_low_wish_value when targets_low_wish_value < 22 else 22;
-      targets_low_wish_choice_2 := 6 when targets_low_wish_choice < 6 else targets_low_wish_choice;
+      if targets_low_wish_value < 22 then
+        targets_low_wish_choice := targets_low_wish_value;
+      else
+        targets_low_wish_choice := 22;
+      end if;
+      if targets_low_wish_choice < 6 then
+        targets_low_wish_choice_2 := 6;
+      else
+        targets_low_wish_choice_2 := targets_low_wish_choice;
+      end if;
       targets_high_wish_value := (targets_around / 16) * 4;
-      targets_high_wish_choice := targets_high_wish_value when targets_high_wish_value < 22 else 22;
-      targets_high_wish_choice_2 := 6 when targets_high_wish_choice < 6 else targets_high_wish_choice;
+      if targets_high_wish_value < 22 then
+        targets_high_wish_choice := targets_high_wish_value;
+      else
+        targets_high_wish_choice := 22;
+      end if;
+      if targets_high_wish_choice < 6 then
+        targets_high_wish_choice_2 := 6;
+      else
+        targets_high_wish_choice_2 := targets_high_wish_choice;
+      end if;
       targets_low_all := targets_wish_walk_valid and (targets_wish_walk_column /= 7);
       targets_low_differs := targets_wish_walk_column /= 6;
       if targets_low_differs then
@@ -4045,10 +5078,21 @@ begin
         targets_low_choice_2 := 0;
       end if;
       targets_low_sum := (((((targets_low_choice * 2) / 8) + 1) mod 8192) * 4) + targets_low_choice_2;
-      targets_low_choice_3 := targets_low_sum when ((targets_low_sum - (targets_low_wish / 2)) < 0) and
-        targets_low_differs else targets_low_wish / 2;
-      targets_low_choice_4 := targets_low_choice_3 when targets_known else targets_low_choice;
-      targets_low_choice_5 := targets_low_choice_4 when targets_low_all else targets_low / 2;
+      if ((targets_low_sum - (targets_low_wish / 2)) < 0) and targets_low_differs then
+        targets_low_choice_3 := targets_low_sum;
+      else
+        targets_low_choice_3 := targets_low_wish / 2;
+      end if;
+      if targets_known then
+        targets_low_choice_4 := targets_low_choice_3;
+      else
+        targets_low_choice_4 := targets_low_choice;
+      end if;
+      if targets_low_all then
+        targets_low_choice_5 := targets_low_choice_4;
+      else
+        targets_low_choice_5 := targets_low / 2;
+      end if;
       if targets_low_differs then
         targets_high_choice := targets_high / 2;
       else
@@ -4059,15 +5103,13 @@ begin
       else
         targets_high_choice_2 := targets_high_choice;
       end if;
-      targets_high_choice_3 := targets_high_choice_2 when targets_low_all else targets_high / 2;
+      if targets_low_all then
+        targets_high_choice_3 := targets_high_choice_2;
+      else
+        targets_high_choice_3 := targets_high / 2;
+      end if;
       targets_newest_0 <= ranges_range;
-      targets_read_column <= ranges_block_column mod 8 when ranges_valid else targets_walk_place;
       targets_comes <= ranges_valid;
-      targets_pause <= 0 when targets_pause_all else targets_pause_choice;
-      targets_walked <= (targets_walked + as_number(targets_walked_all_3)) mod 65536 when targets_walked_all_2 else 0;
-      targets_walk_place <= targets_walk_place_choice when targets_walked_all_2 else 7;
-      targets_next_band <= (ranges_block_row + 65535) mod 65536 when targets_pause_all else (targets_next_band +
-        as_number(targets_walked_all)) mod 65536;
       targets_again <= (not targets_again_choice_2) and targets_walked_any;
       targets_walk_column <= (7 - targets_walked) mod 65536;
       targets_walk_band <= targets_next_band mod 8;
@@ -4091,12 +5133,9 @@ begin
       targets_ready_walk_has_above <= targets_read_walk_has_above;
       targets_ready_walk_has_below <= targets_read_walk_has_below;
       targets_ready_walk_valid <= targets_read_walk_valid;
-      targets_column_range <= targets_column_range_choice_55 when targets_ready_walk_column < 8 else 0;
       targets_column_walk_column <= targets_ready_walk_column;
       targets_column_walk_band <= targets_ready_walk_band;
       targets_column_walk_valid <= targets_ready_walk_valid;
-      targets_around <= 0 when (not ((targets_column_range mod 2) = 1)) and targets_around_choice else
-        (targets_around_choice_18 * 2) + (targets_around_choice_31 * 16) + 1;
       targets_around_walk_column <= targets_column_walk_column;
       targets_around_walk_band <= targets_column_walk_band;
       targets_around_walk_valid <= targets_column_walk_valid;
@@ -4108,6 +5147,35 @@ begin
       targets_wish_walk_valid <= targets_around_walk_valid;
       targets_low <= targets_low_choice_5 * 2;
       targets_high <= targets_high_choice_3 * 2;
+      if ranges_valid then
+        targets_read_column <= ranges_block_column mod 8;
+      else
+        targets_read_column <= targets_walk_place;
+      end if;
+      if targets_pause_all then
+        targets_pause <= 0;
+        targets_next_band <= (ranges_block_row + 65535) mod 65536;
+      else
+        targets_pause <= targets_pause_choice;
+        targets_next_band <= (targets_next_band + as_number(targets_walked_all)) mod 65536;
+      end if;
+      if targets_walked_all_2 then
+        targets_walked <= (targets_walked + as_number(targets_walked_all_3)) mod 65536;
+        targets_walk_place <= targets_walk_place_choice;
+      else
+        targets_walked <= 0;
+        targets_walk_place <= 7;
+      end if;
+      if targets_ready_walk_column < 8 then
+        targets_column_range <= targets_column_range_choice_55;
+      else
+        targets_column_range <= 0;
+      end if;
+      if (not ((targets_column_range mod 2) = 1)) and targets_around_choice then
+        targets_around <= 0;
+      else
+        targets_around <= (targets_around_choice_18 * 2) + (targets_around_choice_31 * 16) + 1;
+      end if;
       if targets_pause_all then
         targets_last_row <= ranges_block_row = 3;
       end if;
@@ -4126,10 +5194,13 @@ begin
       -- hold
       hold_back_holds_groups_any := hold_back_holds_groups or (hold_back_ring_read_address = 0);
       if in_valid then
-        hold_back_ring_read_address <= 0 when hold_back_ring_read_address = 2615 else (hold_back_ring_read_address + 1)
-          mod 4096;
         hold_back_ring_write_address <= hold_back_ring_read_address;
         hold_back_holds_groups <= hold_back_holds_groups_any;
+        if hold_back_ring_read_address = 2615 then
+          hold_back_ring_read_address <= 0;
+        else
+          hold_back_ring_read_address <= (hold_back_ring_read_address + 1) mod 4096;
+        end if;
       end if;
       hold_back_held_is_new <= hold_back_holds_groups_any;
       -- transform
@@ -4137,27 +5208,40 @@ begin
       transform_counter_group_is_equal_2 := transform_counter_group = 31;
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
       transform_counter_group_is_equal_3 := transform_counter_group = 35;
-      transform_counter_group_choice := 4 when transform_counter_next_frame and transform_counter_group_is_equal_3 else
-        (transform_counter_group + 1) mod 64;
-      transform_counter_group_choice_2 := transform_counter_group_choice when (transform_counter_group /= 36) and
-        transform_counter_group_is_equal and coarse_pixels_valid else transform_counter_group;
+      if transform_counter_next_frame and transform_counter_group_is_equal_3 then
+        transform_counter_group_choice := 4;
+      else
+        transform_counter_group_choice := (transform_counter_group + 1) mod 64;
+      end if;
+      if (transform_counter_group /= 36) and transform_counter_group_is_equal and coarse_pixels_valid then
+        transform_counter_group_choice_2 := transform_counter_group_choice;
+      else
+        transform_counter_group_choice_2 := transform_counter_group;
+      end if;
       transform_from_first_0_value := (transform_centre_column / 2) mod 16;
-      transform_from_first_1_choice := ((transform_centre_column / 4) mod 4) = 0 when (transform_centre_column mod 2) =
-        1 else (not (((transform_centre_column / 8) mod 2) = 1)) and ((not (((transform_centre_column / 4) mod 2) = 1))
-        or (not (((transform_centre_column / 2) mod 2) = 1)));
+      if (transform_centre_column mod 2) = 1 then
+        transform_from_first_1_choice := ((transform_centre_column / 4) mod 4) = 0;
+      else
+        transform_from_first_1_choice := (not (((transform_centre_column / 8) mod 2) = 1)) and ((not
+          (((transform_centre_column / 4) mod 2) = 1)) or (not (((transform_centre_column / 2) mod 2) = 1)));
+      end if;
       transform_up_to_last_0_all := (not ((transform_centre_group / 64) = 1)) and ((not (((transform_centre_group / 32)
         mod 2) = 1)) or (not (((transform_centre_group / 16) mod 2) = 1)));
       transform_up_to_last_0_is_equal := (transform_centre_group / 32) = 0;
-      transform_up_to_last_0_choice := transform_up_to_last_0_all when ((not (((transform_centre_group / 2) mod 2) =
-        1)) or (not ((transform_centre_group mod 2) = 1))) and (((transform_centre_group / 4) mod 4) = 0) else
-        transform_up_to_last_0_is_equal;
-      transform_up_to_last_1_choice := transform_up_to_last_0_all when (transform_centre_group mod 16) = 0 else
-        transform_up_to_last_0_is_equal;
+      if ((not (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+        (((transform_centre_group / 4) mod 4) = 0) then
+        transform_up_to_last_0_choice := transform_up_to_last_0_all;
+      else
+        transform_up_to_last_0_choice := transform_up_to_last_0_is_equal;
+      end if;
+      if (transform_centre_group mod 16) = 0 then
+        transform_up_to_last_1_choice := transform_up_to_last_0_all;
+      else
+        transform_up_to_last_1_choice := transform_up_to_last_0_is_equal;
+      end if;
       transform_left_0 <= to_integer(hold_back_held_0(12 downto 0)) / 2;
       transform_right_0 <= to_integer(hold_back_held_0(24 downto 13));
       transform_valid <= coarse_pixels_valid;
-      transform_counter_group <= as_number(transform_counter_group_all) * 32 when coarse_pixels_valid and
-        hold_back_held_is_new and (to_integer(hold_back_held_0(0 downto 0)) = 1) else transform_counter_group_choice_2;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
       transform_left_rows_ready_words_1 <= to_integer(transform_left_rows_read_words_1);
@@ -4179,18 +5263,6 @@ begin
       transform_centre_group <= transform_counter_group + as_number((((transform_counter_column / 32) = 1) or
         (((transform_counter_column / 16) mod 2) = 1) or (((transform_counter_column / 8) mod 2) = 1) or
         (((transform_counter_column / 4) mod 2) = 1)));
-      transform_from_first_0 <= (not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
-        (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
-        ((transform_centre_group / 8) = 0))) and ((transform_centre_column / 32) = 1) when transform_from_first_0_value
-        = 0 else not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not (((transform_centre_group / 2) mod 2) =
-        1)) or (not ((transform_centre_group mod 2) = 1))) and ((transform_centre_group / 8) = 0));
-      transform_from_first_1 <= (not (((not (((transform_centre_group / 8) mod 2) = 1)) or (((transform_centre_group /
-        2) mod 4) = 0)) and ((transform_centre_group / 16) = 0))) and (((transform_centre_column / 32) = 1) or
-        (((transform_centre_column / 16) mod 2) = 1)) when transform_from_first_1_choice else not (((not
-        (((transform_centre_group / 8) mod 2) = 1)) or (((transform_centre_group / 2) mod 4) = 0)) and
-        ((transform_centre_group / 16) = 0));
-      transform_up_to_last_0 <= transform_up_to_last_0_choice and (not ((transform_centre_column / 32) = 1)) when
-        transform_from_first_0_value = 15 else transform_up_to_last_0_choice;
       transform_up_to_last_1 <= ((transform_centre_column / 4) /= 15) and transform_up_to_last_1_choice;
       transform_left_column_0 <= transform_left_rows_ready_words_0 mod 4096;
       transform_left_column_1 <= transform_left_rows_ready_words_0 / 4096;
@@ -4265,7 +5337,6 @@ begin
         ((((transform_left_code_row_odd_1 - transform_left_code_row_even_2) mod 262144) / 131072) * 32) +
         ((((transform_left_code_row_even_1 - transform_left_code_row_odd_2) mod 262144) / 131072) * 4) +
         ((((transform_left_code_row_even_1 + transform_left_code_row_odd_2) mod 262144) / 131072) * 16);
-      transform_left_code_bits <= transform_left_code_earlier_1 when transform_filtering_6_inside_0 else 0;
       transform_left_code_next_column_box_0_0_0 <= transform_left_column_0 + transform_left_column_1;
       transform_left_code_next_column_box_0_1_0 <= transform_left_column_2 + transform_left_column_3;
       transform_left_code_next_column_box_0_2_0 <= transform_left_column_4 + transform_left_column_5;
@@ -4325,7 +5396,6 @@ begin
         ((((transform_left_code_next_row_odd_1 - transform_left_code_next_row_even_2) mod 1048576) / 524288) * 32) +
         ((((transform_left_code_next_row_even_1 - transform_left_code_next_row_odd_2) mod 1048576) / 524288) * 4) +
         ((((transform_left_code_next_row_even_1 + transform_left_code_next_row_odd_2) mod 1048576) / 524288) * 16);
-      transform_left_code_next_bits <= transform_left_code_next_row_signs when transform_filtering_6_inside_1 else 0;
       transform_right_code_column_box_0_0_0 <= transform_right_column_3;
       transform_right_code_column_box_0_1_0 <= transform_right_column_4;
       transform_right_code_column_box_0_2_0 <= transform_right_column_5;
@@ -4377,7 +5447,6 @@ begin
         ((((transform_right_code_row_odd_1 - transform_right_code_row_even_2) mod 262144) / 131072) * 32) +
         ((((transform_right_code_row_even_1 - transform_right_code_row_odd_2) mod 262144) / 131072) * 4) +
         ((((transform_right_code_row_even_1 + transform_right_code_row_odd_2) mod 262144) / 131072) * 16);
-      transform_right_code_bits <= transform_right_code_earlier_1 when transform_filtering_6_inside_0 else 0;
       transform_right_code_next_column_box_0_0_0 <= transform_right_column_0 + transform_right_column_1;
       transform_right_code_next_column_box_0_1_0 <= transform_right_column_2 + transform_right_column_3;
       transform_right_code_next_column_box_0_2_0 <= transform_right_column_4 + transform_right_column_5;
@@ -4437,7 +5506,6 @@ begin
         ((((transform_right_code_next_row_odd_1 - transform_right_code_next_row_even_2) mod 1048576) / 524288) * 32) +
         ((((transform_right_code_next_row_even_1 - transform_right_code_next_row_odd_2) mod 1048576) / 524288) * 4) +
         ((((transform_right_code_next_row_even_1 + transform_right_code_next_row_odd_2) mod 1048576) / 524288) * 16);
-      transform_right_code_next_bits <= transform_right_code_next_row_signs when transform_filtering_6_inside_1 else 0;
       transform_filtering_0_inside_0 <= transform_columns_inside_0;
       transform_filtering_0_inside_1 <= transform_columns_inside_1;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -4468,15 +5536,66 @@ begin
       transform_filtering_6_valid <= transform_filtering_5_valid;
       transform_filtering_7_start_of_frame <= transform_filtering_6_start_of_frame;
       transform_filtering_7_valid <= transform_filtering_6_valid;
-      transform_counter_next_frame_choice := (transform_counter_group = 36) and transform_counter_next_frame when
-        transform_counter_group_is_equal and transform_counter_group_is_equal_3 else transform_counter_next_frame;
+      if coarse_pixels_valid and hold_back_held_is_new and (to_integer(hold_back_held_0(0 downto 0)) = 1) then
+        transform_counter_group <= as_number(transform_counter_group_all) * 32;
+      else
+        transform_counter_group <= transform_counter_group_choice_2;
+      end if;
+      if transform_from_first_0_value = 0 then
+        transform_from_first_0 <= (not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
+          (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+          ((transform_centre_group / 8) = 0))) and ((transform_centre_column / 32) = 1);
+      else
+        transform_from_first_0 <= not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
+          (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+          ((transform_centre_group / 8) = 0));
+      end if;
+      if transform_from_first_1_choice then
+        transform_from_first_1 <= (not (((not (((transform_centre_group / 8) mod 2) = 1)) or (((transform_centre_group
+          / 2) mod 4) = 0)) and ((transform_centre_group / 16) = 0))) and (((transform_centre_column / 32) = 1) or
+          (((transform_centre_column / 16) mod 2) = 1));
+      else
+        transform_from_first_1 <= not (((not (((transform_centre_group / 8) mod 2) = 1)) or (((transform_centre_group /
+          2) mod 4) = 0)) and ((transform_centre_group / 16) = 0));
+      end if;
+      if transform_from_first_0_value = 15 then
+        transform_up_to_last_0 <= transform_up_to_last_0_choice and (not ((transform_centre_column / 32) = 1));
+      else
+        transform_up_to_last_0 <= transform_up_to_last_0_choice;
+      end if;
+      if transform_filtering_6_inside_0 then
+        transform_left_code_bits <= transform_left_code_earlier_1;
+        transform_right_code_bits <= transform_right_code_earlier_1;
+      else
+        transform_left_code_bits <= 0;
+        transform_right_code_bits <= 0;
+      end if;
+      if transform_filtering_6_inside_1 then
+        transform_left_code_next_bits <= transform_left_code_next_row_signs;
+        transform_right_code_next_bits <= transform_right_code_next_row_signs;
+      else
+        transform_left_code_next_bits <= 0;
+        transform_right_code_next_bits <= 0;
+      end if;
+      if transform_counter_group_is_equal and transform_counter_group_is_equal_3 then
+        transform_counter_next_frame_choice := (transform_counter_group = 36) and transform_counter_next_frame;
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
       if coarse_pixels_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal or (hold_back_held_is_new and
-          (to_integer(hold_back_held_0(0 downto 0)) = 1)) else (transform_counter_column + 1) mod 64;
-        transform_counter_next_frame <= transform_counter_group_all or (not hold_back_held_is_new) or (not
-          (to_integer(hold_back_held_0(0 downto 0)) = 1)) when transform_counter_next_frame_choice else
-          transform_counter_group_is_equal and transform_counter_group_is_equal_2 and hold_back_held_is_new and
-          (to_integer(hold_back_held_0(0 downto 0)) = 1);
+        if transform_counter_group_is_equal or (hold_back_held_is_new and (to_integer(hold_back_held_0(0 downto 0)) =
+          1)) then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 64;
+        end if;
+        if transform_counter_next_frame_choice then
+          transform_counter_next_frame <= transform_counter_group_all or (not hold_back_held_is_new) or (not
+            (to_integer(hold_back_held_0(0 downto 0)) = 1));
+        else
+          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+            hold_back_held_is_new and (to_integer(hold_back_held_0(0 downto 0)) = 1);
+        end if;
       end if;
       if (other_12 / 256) = 1 then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_words_0 / 4096) +
@@ -4589,8 +5708,12 @@ begin
       end if;
       -- ahead
       if transform_filtering_7_valid then
-        ahead_ring_read_address <= 0 when ahead_ring_read_address = 20 else (ahead_ring_read_address + 1) mod 32;
         ahead_ring_write_address <= ahead_ring_read_address;
+        if ahead_ring_read_address = 20 then
+          ahead_ring_read_address <= 0;
+        else
+          ahead_ring_read_address <= (ahead_ring_read_address + 1) mod 32;
+        end if;
       end if;
       ahead_holds_groups_is_equal := ahead_ring_read_address = 0;
       ahead_holds_groups <= ahead_holds_groups_is_equal or ahead_held_is_new;
@@ -4602,18 +5725,32 @@ begin
       raster_place_group_is_equal := raster_place_column = 63;
       raster_features_reference_0 <= to_integer(ahead_held_0(12 downto 1));
       raster_features_valid <= ahead_held_valid;
-      raster_place_group <= 0 when ahead_held_valid and ahead_holds_groups and (to_integer(ahead_held_0(0 downto 0)) =
-        1) else (raster_place_group + as_number(((raster_place_group /= 34) and raster_place_group_is_equal and
-        ahead_held_valid))) mod 64;
+      if ahead_held_valid and ahead_holds_groups and (to_integer(ahead_held_0(0 downto 0)) = 1) then
+        raster_place_group <= 0;
+      else
+        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 34) and
+          raster_place_group_is_equal and ahead_held_valid))) mod 64;
+      end if;
       if ahead_held_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or (ahead_holds_groups and (to_integer(ahead_held_0(0
-          downto 0)) = 1)) else (raster_place_column + 1) mod 64;
+        if raster_place_group_is_equal or (ahead_holds_groups and (to_integer(ahead_held_0(0 downto 0)) = 1)) then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 64;
+        end if;
       end if;
       -- bases
       bases_address_0_is_equal := (raster_place_column / 16) = 0;
       bases_address_0_value := ((raster_place_column + 497) mod 512) / 8;
-      bases_address_0_choice := 0 when bases_address_0_is_equal else bases_address_0_value;
-      bases_address_0_choice_2 := 0 when bases_address_0_is_equal else bases_address_0_value mod 8;
+      if bases_address_0_is_equal then
+        bases_address_0_choice := 0;
+      else
+        bases_address_0_choice := bases_address_0_value;
+      end if;
+      if bases_address_0_is_equal then
+        bases_address_0_choice_2 := 0;
+      else
+        bases_address_0_choice_2 := bases_address_0_value mod 8;
+      end if;
       bases_asked_frame_starts_is_equal := raster_place_group = 0;
       bases_asked_frame_starts_is_equal_2 := raster_place_column = 0;
       bases_goal_0_0_value := ((bases_ready_targets_0 / 2) mod 128) * 2;
@@ -4638,7 +5775,6 @@ begin
       bases_address_2 <= ((((bases_address_0_choice / 8) + (((((raster_place_group / 2) + 31) mod 32) * 2) / 8)) mod 8)
         * 8) + bases_address_0_choice_2;
       bases_asked_column <= raster_place_column;
-      bases_asked_limit <= 48 when bases_address_0_is_equal else 63 - raster_place_column;
       bases_asked_head <= bases_address_0_is_equal;
       bases_asked_frame_starts <= bases_asked_frame_starts_is_equal and bases_asked_frame_starts_is_equal_2;
       bases_asked_valid <= raster_features_valid;
@@ -4655,22 +5791,9 @@ begin
       bases_ready_head <= bases_read_head;
       bases_ready_frame_starts <= bases_read_frame_starts;
       bases_ready_valid <= bases_read_valid;
-      bases_goal_0_0 <= bases_goal_0_0_value when (bases_goal_0_0_value - bases_ready_limit) < 0 else bases_ready_limit;
-      bases_goal_0_1 <= bases_goal_0_1_value when (bases_goal_0_1_value - bases_ready_limit) < 0 else bases_ready_limit;
-      bases_goal_0_2 <= bases_goal_0_2_value when (bases_goal_0_2_value - bases_ready_limit) < 0 else bases_ready_limit;
-      bases_goal_1_0 <= bases_ready_targets_0 / 256 when ((bases_ready_targets_0 / 256) - bases_ready_limit) < 0 else
-        bases_ready_limit;
-      bases_goal_1_1 <= bases_ready_targets_1 / 256 when ((bases_ready_targets_1 / 256) - bases_ready_limit) < 0 else
-        bases_ready_limit;
-      bases_goal_1_2 <= bases_ready_targets_2 / 256 when ((bases_ready_targets_2 / 256) - bases_ready_limit) < 0 else
-        bases_ready_limit;
       bases_wanted_head <= bases_ready_head;
       bases_wanted_frame_starts <= bases_ready_frame_starts;
       bases_wanted_valid <= bases_ready_valid;
-      bases_from_0_0 <= bases_goal_0_0 when bases_wanted_head else bases_base_0_0 mod 512;
-      bases_from_0_1 <= bases_goal_0_1 when bases_wanted_head else bases_base_0_1 mod 512;
-      bases_from_1_0 <= bases_goal_1_0 when bases_wanted_head else bases_base_1_0 mod 512;
-      bases_from_1_1 <= bases_goal_1_1 when bases_wanted_head else bases_base_1_1 mod 512;
       bases_rises_0_0 <= bases_rises_0_0_all;
       bases_rises_0_1 <= bases_rises_0_1_all;
       bases_rises_1_0 <= bases_rises_1_0_all;
@@ -4682,60 +5805,135 @@ begin
       bases_stands_column <= compared_write_column;
       bases_stands_frame_starts <= bases_wanted_frame_starts;
       bases_stands_valid <= bases_wanted_valid;
+      if bases_address_0_is_equal then
+        bases_asked_limit <= 48;
+      else
+        bases_asked_limit <= 63 - raster_place_column;
+      end if;
+      if (bases_goal_0_0_value - bases_ready_limit) < 0 then
+        bases_goal_0_0 <= bases_goal_0_0_value;
+      else
+        bases_goal_0_0 <= bases_ready_limit;
+      end if;
+      if (bases_goal_0_1_value - bases_ready_limit) < 0 then
+        bases_goal_0_1 <= bases_goal_0_1_value;
+      else
+        bases_goal_0_1 <= bases_ready_limit;
+      end if;
+      if (bases_goal_0_2_value - bases_ready_limit) < 0 then
+        bases_goal_0_2 <= bases_goal_0_2_value;
+      else
+        bases_goal_0_2 <= bases_ready_limit;
+      end if;
+      if ((bases_ready_targets_0 / 256) - bases_ready_limit) < 0 then
+        bases_goal_1_0 <= bases_ready_targets_0 / 256;
+      else
+        bases_goal_1_0 <= bases_ready_limit;
+      end if;
+      if ((bases_ready_targets_1 / 256) - bases_ready_limit) < 0 then
+        bases_goal_1_1 <= bases_ready_targets_1 / 256;
+      else
+        bases_goal_1_1 <= bases_ready_limit;
+      end if;
+      if ((bases_ready_targets_2 / 256) - bases_ready_limit) < 0 then
+        bases_goal_1_2 <= bases_ready_targets_2 / 256;
+      else
+        bases_goal_1_2 <= bases_ready_limit;
+      end if;
+      if bases_wanted_head then
+        bases_from_0_0 <= bases_goal_0_0;
+        bases_from_0_1 <= bases_goal_0_1;
+        bases_from_1_0 <= bases_goal_1_0;
+        bases_from_1_1 <= bases_goal_1_1;
+      else
+        bases_from_0_0 <= bases_base_0_0 mod 512;
+        bases_from_0_1 <= bases_base_0_1 mod 512;
+        bases_from_1_0 <= bases_base_1_0 mod 512;
+        bases_from_1_1 <= bases_base_1_1 mod 512;
+      end if;
       if bases_ready_valid then
         bases_wanted_column <= bases_ready_column;
       end if;
-      bases_base_0_0_choice := 65535 when ((((as_number(bases_falls_0_0_all) * 32768) + 32768) mod 65536) - 32768) < 0
-        else 0;
+      if ((((as_number(bases_falls_0_0_all) * 32768) + 32768) mod 65536) - 32768) < 0 then
+        bases_base_0_0_choice := 65535;
+      else
+        bases_base_0_0_choice := 0;
+      end if;
       if bases_rises_0_0_all then
         bases_base_0_0_choice_2 := bases_rises_0_0_sum mod 65536;
       else
         bases_base_0_0_choice_2 := (bases_base_0_0 + bases_base_0_0_choice) mod 65536;
       end if;
-      bases_base_0_1_choice := 65535 when ((((as_number(bases_falls_0_1_all) * 32768) + 32768) mod 65536) - 32768) < 0
-        else 0;
+      if ((((as_number(bases_falls_0_1_all) * 32768) + 32768) mod 65536) - 32768) < 0 then
+        bases_base_0_1_choice := 65535;
+      else
+        bases_base_0_1_choice := 0;
+      end if;
       if bases_rises_0_1_all then
         bases_base_0_1_choice_2 := bases_rises_0_1_sum mod 65536;
       else
         bases_base_0_1_choice_2 := (bases_base_0_1 + bases_base_0_1_choice) mod 65536;
       end if;
       bases_base_0_2_sum := bases_base_0_2 + 3;
-      bases_base_0_2_choice := 65535 when ((((as_number((((bases_goal_0_2 - bases_base_0_2) < 0) and (not
-        bases_wanted_head))) * 32768) + 32768) mod 65536) - 32768) < 0 else 0;
+      if ((((as_number((((bases_goal_0_2 - bases_base_0_2) < 0) and (not bases_wanted_head))) * 32768) + 32768) mod
+        65536) - 32768) < 0 then
+        bases_base_0_2_choice := 65535;
+      else
+        bases_base_0_2_choice := 0;
+      end if;
       if ((bases_goal_0_2 - bases_base_0_2_sum) >= 0) and (not bases_wanted_head) then
         bases_base_0_2_choice_2 := bases_base_0_2_sum mod 65536;
       else
         bases_base_0_2_choice_2 := (bases_base_0_2 + bases_base_0_2_choice) mod 65536;
       end if;
-      bases_base_1_0_choice := 65535 when ((((as_number(bases_falls_1_0_all) * 32768) + 32768) mod 65536) - 32768) < 0
-        else 0;
+      if ((((as_number(bases_falls_1_0_all) * 32768) + 32768) mod 65536) - 32768) < 0 then
+        bases_base_1_0_choice := 65535;
+      else
+        bases_base_1_0_choice := 0;
+      end if;
       if bases_rises_1_0_all then
         bases_base_1_0_choice_2 := bases_rises_1_0_sum mod 65536;
       else
         bases_base_1_0_choice_2 := (bases_base_1_0 + bases_base_1_0_choice) mod 65536;
       end if;
-      bases_base_1_1_choice := 65535 when ((((as_number(bases_falls_1_1_all) * 32768) + 32768) mod 65536) - 32768) < 0
-        else 0;
+      if ((((as_number(bases_falls_1_1_all) * 32768) + 32768) mod 65536) - 32768) < 0 then
+        bases_base_1_1_choice := 65535;
+      else
+        bases_base_1_1_choice := 0;
+      end if;
       if bases_rises_1_1_all then
         bases_base_1_1_choice_2 := bases_rises_1_1_sum mod 65536;
       else
         bases_base_1_1_choice_2 := (bases_base_1_1 + bases_base_1_1_choice) mod 65536;
       end if;
       bases_base_1_2_sum := bases_base_1_2 + 3;
-      bases_base_1_2_choice := 65535 when ((((as_number((((bases_goal_1_2 - bases_base_1_2) < 0) and (not
-        bases_wanted_head))) * 32768) + 32768) mod 65536) - 32768) < 0 else 0;
+      if ((((as_number((((bases_goal_1_2 - bases_base_1_2) < 0) and (not bases_wanted_head))) * 32768) + 32768) mod
+        65536) - 32768) < 0 then
+        bases_base_1_2_choice := 65535;
+      else
+        bases_base_1_2_choice := 0;
+      end if;
       if ((bases_goal_1_2 - bases_base_1_2_sum) >= 0) and (not bases_wanted_head) then
         bases_base_1_2_choice_2 := bases_base_1_2_sum mod 65536;
       else
         bases_base_1_2_choice_2 := (bases_base_1_2 + bases_base_1_2_choice) mod 65536;
       end if;
       if bases_wanted_valid then
-        bases_base_0_0 <= bases_goal_0_0 when bases_wanted_head else bases_base_0_0_choice_2;
-        bases_base_0_1 <= bases_goal_0_1 when bases_wanted_head else bases_base_0_1_choice_2;
-        bases_base_0_2 <= bases_goal_0_2 when bases_wanted_head else bases_base_0_2_choice_2;
-        bases_base_1_0 <= bases_goal_1_0 when bases_wanted_head else bases_base_1_0_choice_2;
-        bases_base_1_1 <= bases_goal_1_1 when bases_wanted_head else bases_base_1_1_choice_2;
-        bases_base_1_2 <= bases_goal_1_2 when bases_wanted_head else bases_base_1_2_choice_2;
+        if bases_wanted_head then
+          bases_base_0_0 <= bases_goal_0_0;
+          bases_base_0_1 <= bases_goal_0_1;
+          bases_base_0_2 <= bases_goal_0_2;
+          bases_base_1_0 <= bases_goal_1_0;
+          bases_base_1_1 <= bases_goal_1_1;
+          bases_base_1_2 <= bases_goal_1_2;
+        else
+          bases_base_0_0 <= bases_base_0_0_choice_2;
+          bases_base_0_1 <= bases_base_0_1_choice_2;
+          bases_base_0_2 <= bases_base_0_2_choice_2;
+          bases_base_1_0 <= bases_base_1_0_choice_2;
+          bases_base_1_1 <= bases_base_1_1_choice_2;
+          bases_base_1_2 <= bases_base_1_2_choice_2;
+        end if;
       end if;
       if bases_stands_valid then
         bases_from_0_2 <= bases_base_0_2;
@@ -4745,8 +5943,16 @@ begin
       rows_newest_column_any := (not transform_filtering_7_valid) or (not transform_filtering_7_start_of_frame);
       rows_newest_column_is_equal := rows_newest_column = 63;
       rows_newest_column_sum := rows_newest_column + 1;
-      rows_newest_column_choice := 0 when rows_newest_column_is_equal else rows_newest_column_sum mod 65536;
-      rows_newest_column_choice_2 := rows_newest_column_choice when rows_newest_column_any else 0;
+      if rows_newest_column_is_equal then
+        rows_newest_column_choice := 0;
+      else
+        rows_newest_column_choice := rows_newest_column_sum mod 65536;
+      end if;
+      if rows_newest_column_any then
+        rows_newest_column_choice_2 := rows_newest_column_choice;
+      else
+        rows_newest_column_choice_2 := 0;
+      end if;
       if transform_filtering_7_valid then
         rows_last_1 <= rows_last_2;
         rows_last_2 <= rows_last_3;
@@ -4755,17 +5961,57 @@ begin
       end if;
       rows_newest_row_is_equal := (rows_newest_row / 16) = 6;
       rows_newest_row_sum := (rows_newest_row / 16) + 1;
-      rows_newest_row_choice := 0 when rows_newest_row_is_equal else rows_newest_row_sum mod 4096;
-      rows_newest_row_choice_2 := rows_newest_row_choice when rows_newest_column_is_equal else rows_newest_row / 16;
-      rows_newest_row_choice_3 := rows_newest_row_choice_2 when rows_newest_column_any else 0;
-      rows_newest_row_choice_4 := rows_newest_row_choice_3 when transform_filtering_7_valid else rows_newest_row / 16;
+      if rows_newest_row_is_equal then
+        rows_newest_row_choice := 0;
+      else
+        rows_newest_row_choice := rows_newest_row_sum mod 4096;
+      end if;
+      if rows_newest_column_is_equal then
+        rows_newest_row_choice_2 := rows_newest_row_choice;
+      else
+        rows_newest_row_choice_2 := rows_newest_row / 16;
+      end if;
+      if rows_newest_column_any then
+        rows_newest_row_choice_3 := rows_newest_row_choice_2;
+      else
+        rows_newest_row_choice_3 := 0;
+      end if;
+      if transform_filtering_7_valid then
+        rows_newest_row_choice_4 := rows_newest_row_choice_3;
+      else
+        rows_newest_row_choice_4 := rows_newest_row / 16;
+      end if;
       rows_enter_row_all := bases_stands_valid and (bases_stands_column = 0);
-      rows_enter_row_choice := 0 when (rows_enter_row / 16) = 6 else ((rows_enter_row / 16) + 1) mod 4096;
-      rows_enter_row_choice_2 := 0 when bases_stands_frame_starts else rows_enter_row_choice;
-      rows_enter_row_choice_3 := rows_enter_row_choice_2 when rows_enter_row_all else rows_enter_row / 16;
-      rows_leave_row_choice := 0 when (rows_leave_row / 16) = 6 else ((rows_leave_row / 16) + 1) mod 4096;
-      rows_leave_row_choice_2 := 2 when bases_stands_frame_starts else rows_leave_row_choice;
-      rows_leave_row_choice_3 := rows_leave_row_choice_2 when rows_enter_row_all else rows_leave_row / 16;
+      if (rows_enter_row / 16) = 6 then
+        rows_enter_row_choice := 0;
+      else
+        rows_enter_row_choice := ((rows_enter_row / 16) + 1) mod 4096;
+      end if;
+      if bases_stands_frame_starts then
+        rows_enter_row_choice_2 := 0;
+      else
+        rows_enter_row_choice_2 := rows_enter_row_choice;
+      end if;
+      if rows_enter_row_all then
+        rows_enter_row_choice_3 := rows_enter_row_choice_2;
+      else
+        rows_enter_row_choice_3 := rows_enter_row / 16;
+      end if;
+      if (rows_leave_row / 16) = 6 then
+        rows_leave_row_choice := 0;
+      else
+        rows_leave_row_choice := ((rows_leave_row / 16) + 1) mod 4096;
+      end if;
+      if bases_stands_frame_starts then
+        rows_leave_row_choice_2 := 2;
+      else
+        rows_leave_row_choice_2 := rows_leave_row_choice;
+      end if;
+      if rows_enter_row_all then
+        rows_leave_row_choice_3 := rows_leave_row_choice_2;
+      else
+        rows_leave_row_choice_3 := rows_leave_row / 16;
+      end if;
       rows_position_0_0_sum := bases_from_0_0 + bases_stands_column;
       rows_position_0_1_sum := bases_from_0_1 + bases_stands_column;
       rows_position_1_0_sum := bases_from_1_0 + bases_stands_column;
@@ -4778,23 +6024,86 @@ begin
       rows_address_8_value_2 := (rows_position_1_0 / 4) mod 16;
       rows_address_12_value := (((rows_leave_row / 16) + (rows_position_1_1 / 64)) mod 8) * 16;
       rows_address_12_value_2 := (rows_position_1_1 / 4) mod 16;
-      rows_codes_0_0_0_choice := rows_ready_codes_3 when (rows_ready_first_bank_0_0 / 2) = 1 else rows_ready_codes_1;
-      rows_codes_0_0_0_choice_2 := rows_ready_codes_2 when (rows_ready_first_bank_0_0 / 2) = 1 else rows_ready_codes_0;
-      rows_codes_0_0_1_choice := rows_ready_codes_0 when (rows_ready_first_bank_0_0 / 2) = 1 else rows_ready_codes_2;
-      rows_codes_0_0_2_choice := rows_ready_codes_1 when (rows_ready_first_bank_0_0 / 2) = 1 else rows_ready_codes_3;
-      rows_codes_0_1_0_choice := rows_ready_codes_7 when (rows_ready_first_bank_0_1 / 2) = 1 else rows_ready_codes_5;
-      rows_codes_0_1_0_choice_2 := rows_ready_codes_6 when (rows_ready_first_bank_0_1 / 2) = 1 else rows_ready_codes_4;
-      rows_codes_0_1_1_choice := rows_ready_codes_4 when (rows_ready_first_bank_0_1 / 2) = 1 else rows_ready_codes_6;
-      rows_codes_0_1_2_choice := rows_ready_codes_5 when (rows_ready_first_bank_0_1 / 2) = 1 else rows_ready_codes_7;
-      rows_codes_1_0_0_choice := rows_ready_codes_11 when (rows_ready_first_bank_1_0 / 2) = 1 else rows_ready_codes_9;
-      rows_codes_1_0_0_choice_2 := rows_ready_codes_10 when (rows_ready_first_bank_1_0 / 2) = 1 else rows_ready_codes_8;
-      rows_codes_1_0_1_choice := rows_ready_codes_8 when (rows_ready_first_bank_1_0 / 2) = 1 else rows_ready_codes_10;
-      rows_codes_1_0_2_choice := rows_ready_codes_9 when (rows_ready_first_bank_1_0 / 2) = 1 else rows_ready_codes_11;
-      rows_codes_1_1_0_choice := rows_ready_codes_15 when (rows_ready_first_bank_1_1 / 2) = 1 else rows_ready_codes_13;
-      rows_codes_1_1_0_choice_2 := rows_ready_codes_14 when (rows_ready_first_bank_1_1 / 2) = 1 else
-        rows_ready_codes_12;
-      rows_codes_1_1_1_choice := rows_ready_codes_12 when (rows_ready_first_bank_1_1 / 2) = 1 else rows_ready_codes_14;
-      rows_codes_1_1_2_choice := rows_ready_codes_13 when (rows_ready_first_bank_1_1 / 2) = 1 else rows_ready_codes_15;
+      if (rows_ready_first_bank_0_0 / 2) = 1 then
+        rows_codes_0_0_0_choice := rows_ready_codes_3;
+      else
+        rows_codes_0_0_0_choice := rows_ready_codes_1;
+      end if;
+      if (rows_ready_first_bank_0_0 / 2) = 1 then
+        rows_codes_0_0_0_choice_2 := rows_ready_codes_2;
+      else
+        rows_codes_0_0_0_choice_2 := rows_ready_codes_0;
+      end if;
+      if (rows_ready_first_bank_0_0 / 2) = 1 then
+        rows_codes_0_0_1_choice := rows_ready_codes_0;
+      else
+        rows_codes_0_0_1_choice := rows_ready_codes_2;
+      end if;
+      if (rows_ready_first_bank_0_0 / 2) = 1 then
+        rows_codes_0_0_2_choice := rows_ready_codes_1;
+      else
+        rows_codes_0_0_2_choice := rows_ready_codes_3;
+      end if;
+      if (rows_ready_first_bank_0_1 / 2) = 1 then
+        rows_codes_0_1_0_choice := rows_ready_codes_7;
+      else
+        rows_codes_0_1_0_choice := rows_ready_codes_5;
+      end if;
+      if (rows_ready_first_bank_0_1 / 2) = 1 then
+        rows_codes_0_1_0_choice_2 := rows_ready_codes_6;
+      else
+        rows_codes_0_1_0_choice_2 := rows_ready_codes_4;
+      end if;
+      if (rows_ready_first_bank_0_1 / 2) = 1 then
+        rows_codes_0_1_1_choice := rows_ready_codes_4;
+      else
+        rows_codes_0_1_1_choice := rows_ready_codes_6;
+      end if;
+      if (rows_ready_first_bank_0_1 / 2) = 1 then
+        rows_codes_0_1_2_choice := rows_ready_codes_5;
+      else
+        rows_codes_0_1_2_choice := rows_ready_codes_7;
+      end if;
+      if (rows_ready_first_bank_1_0 / 2) = 1 then
+        rows_codes_1_0_0_choice := rows_ready_codes_11;
+      else
+        rows_codes_1_0_0_choice := rows_ready_codes_9;
+      end if;
+      if (rows_ready_first_bank_1_0 / 2) = 1 then
+        rows_codes_1_0_0_choice_2 := rows_ready_codes_10;
+      else
+        rows_codes_1_0_0_choice_2 := rows_ready_codes_8;
+      end if;
+      if (rows_ready_first_bank_1_0 / 2) = 1 then
+        rows_codes_1_0_1_choice := rows_ready_codes_8;
+      else
+        rows_codes_1_0_1_choice := rows_ready_codes_10;
+      end if;
+      if (rows_ready_first_bank_1_0 / 2) = 1 then
+        rows_codes_1_0_2_choice := rows_ready_codes_9;
+      else
+        rows_codes_1_0_2_choice := rows_ready_codes_11;
+      end if;
+      if (rows_ready_first_bank_1_1 / 2) = 1 then
+        rows_codes_1_1_0_choice := rows_ready_codes_15;
+      else
+        rows_codes_1_1_0_choice := rows_ready_codes_13;
+      end if;
+      if (rows_ready_first_bank_1_1 / 2) = 1 then
+        rows_codes_1_1_0_choice_2 := rows_ready_codes_14;
+      else
+        rows_codes_1_1_0_choice_2 := rows_ready_codes_12;
+      end if;
+      if (rows_ready_first_bank_1_1 / 2) = 1 then
+        rows_codes_1_1_1_choice := rows_ready_codes_12;
+      else
+        rows_codes_1_1_1_choice := rows_ready_codes_14;
+      end if;
+      if (rows_ready_first_bank_1_1 / 2) = 1 then
+        rows_codes_1_1_2_choice := rows_ready_codes_13;
+      else
+        rows_codes_1_1_2_choice := rows_ready_codes_15;
+      end if;
       rows_newest_row <= rows_newest_row_choice_4 * 16;
       rows_enter_row <= rows_enter_row_choice_3 * 16;
       rows_leave_row <= rows_leave_row_choice_3 * 16;
@@ -4890,38 +6199,6 @@ begin
       rows_ready_four_0_1 <= rows_read_four_0_1;
       rows_ready_four_1_0 <= rows_read_four_1_0;
       rows_ready_four_1_1 <= rows_read_four_1_1;
-      rows_codes_0_0_0 <= rows_codes_0_0_0_choice when (rows_ready_first_bank_0_0 mod 2) = 1 else
-        rows_codes_0_0_0_choice_2;
-      rows_codes_0_0_1 <= rows_codes_0_0_1_choice when (rows_ready_first_bank_0_0 mod 2) = 1 else
-        rows_codes_0_0_0_choice;
-      rows_codes_0_0_2 <= rows_codes_0_0_2_choice when (rows_ready_first_bank_0_0 mod 2) = 1 else
-        rows_codes_0_0_1_choice;
-      rows_codes_0_0_3 <= rows_codes_0_0_0_choice_2 when (rows_ready_first_bank_0_0 mod 2) = 1 else
-        rows_codes_0_0_2_choice;
-      rows_codes_0_1_0 <= rows_codes_0_1_0_choice when (rows_ready_first_bank_0_1 mod 2) = 1 else
-        rows_codes_0_1_0_choice_2;
-      rows_codes_0_1_1 <= rows_codes_0_1_1_choice when (rows_ready_first_bank_0_1 mod 2) = 1 else
-        rows_codes_0_1_0_choice;
-      rows_codes_0_1_2 <= rows_codes_0_1_2_choice when (rows_ready_first_bank_0_1 mod 2) = 1 else
-        rows_codes_0_1_1_choice;
-      rows_codes_0_1_3 <= rows_codes_0_1_0_choice_2 when (rows_ready_first_bank_0_1 mod 2) = 1 else
-        rows_codes_0_1_2_choice;
-      rows_codes_1_0_0 <= rows_codes_1_0_0_choice when (rows_ready_first_bank_1_0 mod 2) = 1 else
-        rows_codes_1_0_0_choice_2;
-      rows_codes_1_0_1 <= rows_codes_1_0_1_choice when (rows_ready_first_bank_1_0 mod 2) = 1 else
-        rows_codes_1_0_0_choice;
-      rows_codes_1_0_2 <= rows_codes_1_0_2_choice when (rows_ready_first_bank_1_0 mod 2) = 1 else
-        rows_codes_1_0_1_choice;
-      rows_codes_1_0_3 <= rows_codes_1_0_0_choice_2 when (rows_ready_first_bank_1_0 mod 2) = 1 else
-        rows_codes_1_0_2_choice;
-      rows_codes_1_1_0 <= rows_codes_1_1_0_choice when (rows_ready_first_bank_1_1 mod 2) = 1 else
-        rows_codes_1_1_0_choice_2;
-      rows_codes_1_1_1 <= rows_codes_1_1_1_choice when (rows_ready_first_bank_1_1 mod 2) = 1 else
-        rows_codes_1_1_0_choice;
-      rows_codes_1_1_2 <= rows_codes_1_1_2_choice when (rows_ready_first_bank_1_1 mod 2) = 1 else
-        rows_codes_1_1_1_choice;
-      rows_codes_1_1_3 <= rows_codes_1_1_0_choice_2 when (rows_ready_first_bank_1_1 mod 2) = 1 else
-        rows_codes_1_1_2_choice;
       rows_step_one_0_0 <= rows_ready_one_0_0;
       rows_step_one_0_1 <= rows_ready_one_0_1;
       rows_step_one_1_0 <= rows_ready_one_1_0;
@@ -4930,10 +6207,65 @@ begin
       rows_step_four_0_1 <= rows_ready_four_0_1;
       rows_step_four_1_0 <= rows_ready_four_1_0;
       rows_step_four_1_1 <= rows_ready_four_1_1;
-      rows_write_word_choice := 0 when rows_newest_row_is_equal else rows_newest_row_sum mod 8;
-      rows_write_word_choice_2 := rows_write_word_choice when rows_newest_column_is_equal else (rows_newest_row / 16)
-        mod 8;
-      rows_write_word_choice_3 := rows_write_word_choice_2 when rows_newest_column_any else 0;
+      if (rows_ready_first_bank_0_0 mod 2) = 1 then
+        rows_codes_0_0_0 <= rows_codes_0_0_0_choice;
+        rows_codes_0_0_1 <= rows_codes_0_0_1_choice;
+        rows_codes_0_0_2 <= rows_codes_0_0_2_choice;
+        rows_codes_0_0_3 <= rows_codes_0_0_0_choice_2;
+      else
+        rows_codes_0_0_0 <= rows_codes_0_0_0_choice_2;
+        rows_codes_0_0_1 <= rows_codes_0_0_0_choice;
+        rows_codes_0_0_2 <= rows_codes_0_0_1_choice;
+        rows_codes_0_0_3 <= rows_codes_0_0_2_choice;
+      end if;
+      if (rows_ready_first_bank_0_1 mod 2) = 1 then
+        rows_codes_0_1_0 <= rows_codes_0_1_0_choice;
+        rows_codes_0_1_1 <= rows_codes_0_1_1_choice;
+        rows_codes_0_1_2 <= rows_codes_0_1_2_choice;
+        rows_codes_0_1_3 <= rows_codes_0_1_0_choice_2;
+      else
+        rows_codes_0_1_0 <= rows_codes_0_1_0_choice_2;
+        rows_codes_0_1_1 <= rows_codes_0_1_0_choice;
+        rows_codes_0_1_2 <= rows_codes_0_1_1_choice;
+        rows_codes_0_1_3 <= rows_codes_0_1_2_choice;
+      end if;
+      if (rows_ready_first_bank_1_0 mod 2) = 1 then
+        rows_codes_1_0_0 <= rows_codes_1_0_0_choice;
+        rows_codes_1_0_1 <= rows_codes_1_0_1_choice;
+        rows_codes_1_0_2 <= rows_codes_1_0_2_choice;
+        rows_codes_1_0_3 <= rows_codes_1_0_0_choice_2;
+      else
+        rows_codes_1_0_0 <= rows_codes_1_0_0_choice_2;
+        rows_codes_1_0_1 <= rows_codes_1_0_0_choice;
+        rows_codes_1_0_2 <= rows_codes_1_0_1_choice;
+        rows_codes_1_0_3 <= rows_codes_1_0_2_choice;
+      end if;
+      if (rows_ready_first_bank_1_1 mod 2) = 1 then
+        rows_codes_1_1_0 <= rows_codes_1_1_0_choice;
+        rows_codes_1_1_1 <= rows_codes_1_1_1_choice;
+        rows_codes_1_1_2 <= rows_codes_1_1_2_choice;
+        rows_codes_1_1_3 <= rows_codes_1_1_0_choice_2;
+      else
+        rows_codes_1_1_0 <= rows_codes_1_1_0_choice_2;
+        rows_codes_1_1_1 <= rows_codes_1_1_0_choice;
+        rows_codes_1_1_2 <= rows_codes_1_1_1_choice;
+        rows_codes_1_1_3 <= rows_codes_1_1_2_choice;
+      end if;
+      if rows_newest_row_is_equal then
+        rows_write_word_choice := 0;
+      else
+        rows_write_word_choice := rows_newest_row_sum mod 8;
+      end if;
+      if rows_newest_column_is_equal then
+        rows_write_word_choice_2 := rows_write_word_choice;
+      else
+        rows_write_word_choice_2 := (rows_newest_row / 16) mod 8;
+      end if;
+      if rows_newest_column_any then
+        rows_write_word_choice_3 := rows_write_word_choice_2;
+      else
+        rows_write_word_choice_3 := 0;
+      end if;
       rows_write_codes_0_all := ((((rows_newest_column_sum mod 65536) / 2) mod 2) = 1) and ((rows_newest_column_sum mod
         2) = 1) and rows_newest_column_any and (rows_newest_column /= 63) and transform_filtering_7_valid;
       if rows_write_codes_0_all then
@@ -4946,8 +6278,12 @@ begin
       end if;
       -- pairs
       if raster_features_valid then
-        pairs_ring_read_address <= 0 when pairs_ring_read_address = 15 else (pairs_ring_read_address + 1) mod 16;
         pairs_ring_write_address <= pairs_ring_read_address;
+        if pairs_ring_read_address = 15 then
+          pairs_ring_read_address <= 0;
+        else
+          pairs_ring_read_address <= (pairs_ring_read_address + 1) mod 16;
+        end if;
       end if;
       pairs_tag_first_cost_is_equal := raster_place_column = 15;
       pairs_row_inside_0 <= (raster_place_group >= 5) and (raster_place_group < 37);
@@ -4989,8 +6325,6 @@ begin
       compared_ready_tag_start_of_frame <= compared_read_tag_start_of_frame;
       compared_ready_tag_end_of_line <= compared_read_tag_end_of_line;
       compared_write_column <= bases_ready_column;
-      compared_held_0_reference_0 <= compared_rows_ready_words_0 mod 4096 when compared_ready_inside_0 else 0;
-      compared_held_0_reference_1 <= compared_rows_ready_newest_0 when compared_ready_inside_1 else 0;
       compared_held_0_inside_0 <= compared_ready_inside_0;
       compared_held_0_inside_1 <= compared_ready_inside_1;
       compared_held_1_reference_0 <= compared_held_0_reference_0;
@@ -5091,6 +6425,16 @@ begin
       compared_tags_7_output_column <= compared_tags_6_output_column;
       compared_tags_7_start_of_frame <= compared_tags_6_start_of_frame;
       compared_tags_7_end_of_line <= compared_tags_6_end_of_line;
+      if compared_ready_inside_0 then
+        compared_held_0_reference_0 <= compared_rows_ready_words_0 mod 4096;
+      else
+        compared_held_0_reference_0 <= 0;
+      end if;
+      if compared_ready_inside_1 then
+        compared_held_0_reference_1 <= compared_rows_ready_newest_0;
+      else
+        compared_held_0_reference_1 <= 0;
+      end if;
       if bases_ready_valid then
         compared_rows_write_words_0 <= (compared_rows_ready_words_0 / 4096) + ((compared_rows_ready_words_1 mod 4096) *
           4096);
@@ -5100,926 +6444,2229 @@ begin
       -- lowchain
       lowchain_lane_0_0_all := compared_tags_6_valid and (rows_step_one_0_0 or rows_step_four_0_0);
       if lowchain_lane_0_0_all then
-        lowchain_lane_0_0 <= lowchain_lane_0_4 when rows_step_four_0_0 else lowchain_lane_0_1;
-        lowchain_lane_0_1 <= lowchain_lane_0_5 when rows_step_four_0_0 else lowchain_lane_0_2;
-        lowchain_lane_0_2 <= lowchain_lane_0_6 when rows_step_four_0_0 else lowchain_lane_0_3;
-        lowchain_lane_0_3 <= lowchain_lane_0_7 when rows_step_four_0_0 else lowchain_lane_0_4;
-        lowchain_lane_0_4 <= lowchain_lane_0_8 when rows_step_four_0_0 else lowchain_lane_0_5;
-        lowchain_lane_0_5 <= lowchain_lane_0_9 when rows_step_four_0_0 else lowchain_lane_0_6;
-        lowchain_lane_0_6 <= lowchain_lane_0_10 when rows_step_four_0_0 else lowchain_lane_0_7;
-        lowchain_lane_0_7 <= lowchain_lane_0_11 when rows_step_four_0_0 else lowchain_lane_0_8;
-        lowchain_lane_0_8 <= lowchain_lane_0_12 when rows_step_four_0_0 else lowchain_lane_0_9;
-        lowchain_lane_0_9 <= lowchain_lane_0_13 when rows_step_four_0_0 else lowchain_lane_0_10;
-        lowchain_lane_0_10 <= lowchain_lane_0_14 when rows_step_four_0_0 else lowchain_lane_0_11;
-        lowchain_lane_0_11 <= lowchain_lane_0_15 when rows_step_four_0_0 else lowchain_lane_0_12;
-        lowchain_lane_0_12 <= rows_codes_0_0_0 when rows_step_four_0_0 else lowchain_lane_0_13;
-        lowchain_lane_0_13 <= rows_codes_0_0_1 when rows_step_four_0_0 else lowchain_lane_0_14;
-        lowchain_lane_0_14 <= rows_codes_0_0_2 when rows_step_four_0_0 else lowchain_lane_0_15;
-        lowchain_lane_0_15 <= rows_codes_0_0_3 when rows_step_four_0_0 else rows_codes_0_0_0;
+        if rows_step_four_0_0 then
+          lowchain_lane_0_0 <= lowchain_lane_0_4;
+          lowchain_lane_0_1 <= lowchain_lane_0_5;
+          lowchain_lane_0_2 <= lowchain_lane_0_6;
+          lowchain_lane_0_3 <= lowchain_lane_0_7;
+          lowchain_lane_0_4 <= lowchain_lane_0_8;
+          lowchain_lane_0_5 <= lowchain_lane_0_9;
+          lowchain_lane_0_6 <= lowchain_lane_0_10;
+          lowchain_lane_0_7 <= lowchain_lane_0_11;
+          lowchain_lane_0_8 <= lowchain_lane_0_12;
+          lowchain_lane_0_9 <= lowchain_lane_0_13;
+          lowchain_lane_0_10 <= lowchain_lane_0_14;
+          lowchain_lane_0_11 <= lowchain_lane_0_15;
+          lowchain_lane_0_12 <= rows_codes_0_0_0;
+          lowchain_lane_0_13 <= rows_codes_0_0_1;
+          lowchain_lane_0_14 <= rows_codes_0_0_2;
+          lowchain_lane_0_15 <= rows_codes_0_0_3;
+        else
+          lowchain_lane_0_0 <= lowchain_lane_0_1;
+          lowchain_lane_0_1 <= lowchain_lane_0_2;
+          lowchain_lane_0_2 <= lowchain_lane_0_3;
+          lowchain_lane_0_3 <= lowchain_lane_0_4;
+          lowchain_lane_0_4 <= lowchain_lane_0_5;
+          lowchain_lane_0_5 <= lowchain_lane_0_6;
+          lowchain_lane_0_6 <= lowchain_lane_0_7;
+          lowchain_lane_0_7 <= lowchain_lane_0_8;
+          lowchain_lane_0_8 <= lowchain_lane_0_9;
+          lowchain_lane_0_9 <= lowchain_lane_0_10;
+          lowchain_lane_0_10 <= lowchain_lane_0_11;
+          lowchain_lane_0_11 <= lowchain_lane_0_12;
+          lowchain_lane_0_12 <= lowchain_lane_0_13;
+          lowchain_lane_0_13 <= lowchain_lane_0_14;
+          lowchain_lane_0_14 <= lowchain_lane_0_15;
+          lowchain_lane_0_15 <= rows_codes_0_0_0;
+        end if;
       end if;
-      lowchain_lane_1_0_choice := compared_tags_6_valid when rows_step_one_0_1 else rows_step_four_0_1 and
-        compared_tags_6_valid;
+      if rows_step_one_0_1 then
+        lowchain_lane_1_0_choice := compared_tags_6_valid;
+      else
+        lowchain_lane_1_0_choice := rows_step_four_0_1 and compared_tags_6_valid;
+      end if;
       if lowchain_lane_1_0_choice then
-        lowchain_lane_1_0 <= lowchain_lane_1_4 when rows_step_four_0_1 else lowchain_lane_1_1;
-        lowchain_lane_1_1 <= lowchain_lane_1_5 when rows_step_four_0_1 else lowchain_lane_1_2;
-        lowchain_lane_1_2 <= lowchain_lane_1_6 when rows_step_four_0_1 else lowchain_lane_1_3;
-        lowchain_lane_1_3 <= lowchain_lane_1_7 when rows_step_four_0_1 else lowchain_lane_1_4;
-        lowchain_lane_1_4 <= lowchain_lane_1_8 when rows_step_four_0_1 else lowchain_lane_1_5;
-        lowchain_lane_1_5 <= lowchain_lane_1_9 when rows_step_four_0_1 else lowchain_lane_1_6;
-        lowchain_lane_1_6 <= lowchain_lane_1_10 when rows_step_four_0_1 else lowchain_lane_1_7;
-        lowchain_lane_1_7 <= lowchain_lane_1_11 when rows_step_four_0_1 else lowchain_lane_1_8;
-        lowchain_lane_1_8 <= lowchain_lane_1_12 when rows_step_four_0_1 else lowchain_lane_1_9;
-        lowchain_lane_1_9 <= lowchain_lane_1_13 when rows_step_four_0_1 else lowchain_lane_1_10;
-        lowchain_lane_1_10 <= lowchain_lane_1_14 when rows_step_four_0_1 else lowchain_lane_1_11;
-        lowchain_lane_1_11 <= lowchain_lane_1_15 when rows_step_four_0_1 else lowchain_lane_1_12;
-        lowchain_lane_1_12 <= rows_codes_0_1_0 when rows_step_four_0_1 else lowchain_lane_1_13;
-        lowchain_lane_1_13 <= rows_codes_0_1_1 when rows_step_four_0_1 else lowchain_lane_1_14;
-        lowchain_lane_1_14 <= rows_codes_0_1_2 when rows_step_four_0_1 else lowchain_lane_1_15;
-        lowchain_lane_1_15 <= rows_codes_0_1_3 when rows_step_four_0_1 else rows_codes_0_1_0;
+        if rows_step_four_0_1 then
+          lowchain_lane_1_0 <= lowchain_lane_1_4;
+          lowchain_lane_1_1 <= lowchain_lane_1_5;
+          lowchain_lane_1_2 <= lowchain_lane_1_6;
+          lowchain_lane_1_3 <= lowchain_lane_1_7;
+          lowchain_lane_1_4 <= lowchain_lane_1_8;
+          lowchain_lane_1_5 <= lowchain_lane_1_9;
+          lowchain_lane_1_6 <= lowchain_lane_1_10;
+          lowchain_lane_1_7 <= lowchain_lane_1_11;
+          lowchain_lane_1_8 <= lowchain_lane_1_12;
+          lowchain_lane_1_9 <= lowchain_lane_1_13;
+          lowchain_lane_1_10 <= lowchain_lane_1_14;
+          lowchain_lane_1_11 <= lowchain_lane_1_15;
+          lowchain_lane_1_12 <= rows_codes_0_1_0;
+          lowchain_lane_1_13 <= rows_codes_0_1_1;
+          lowchain_lane_1_14 <= rows_codes_0_1_2;
+          lowchain_lane_1_15 <= rows_codes_0_1_3;
+        else
+          lowchain_lane_1_0 <= lowchain_lane_1_1;
+          lowchain_lane_1_1 <= lowchain_lane_1_2;
+          lowchain_lane_1_2 <= lowchain_lane_1_3;
+          lowchain_lane_1_3 <= lowchain_lane_1_4;
+          lowchain_lane_1_4 <= lowchain_lane_1_5;
+          lowchain_lane_1_5 <= lowchain_lane_1_6;
+          lowchain_lane_1_6 <= lowchain_lane_1_7;
+          lowchain_lane_1_7 <= lowchain_lane_1_8;
+          lowchain_lane_1_8 <= lowchain_lane_1_9;
+          lowchain_lane_1_9 <= lowchain_lane_1_10;
+          lowchain_lane_1_10 <= lowchain_lane_1_11;
+          lowchain_lane_1_11 <= lowchain_lane_1_12;
+          lowchain_lane_1_12 <= lowchain_lane_1_13;
+          lowchain_lane_1_13 <= lowchain_lane_1_14;
+          lowchain_lane_1_14 <= lowchain_lane_1_15;
+          lowchain_lane_1_15 <= rows_codes_0_1_0;
+        end if;
       end if;
       -- lowcost
       lowcost_pixels_first_0_0_value := ((compared_held_7_reference_0 / 8) mod 2) = 1;
       lowcost_pixels_first_0_0_value_2 := ((lowchain_lane_1_0 / 8) mod 2) = 1;
-      lowcost_pixels_first_0_0_choice := (not lowcost_pixels_first_0_0_value_2) or (not compared_held_7_inside_0) when
-        lowcost_pixels_first_0_0_value else lowcost_pixels_first_0_0_value_2 and compared_held_7_inside_0;
+      if lowcost_pixels_first_0_0_value then
+        lowcost_pixels_first_0_0_choice := (not lowcost_pixels_first_0_0_value_2) or (not compared_held_7_inside_0);
+      else
+        lowcost_pixels_first_0_0_choice := lowcost_pixels_first_0_0_value_2 and compared_held_7_inside_0;
+      end if;
       lowcost_pixels_first_0_0_value_3 := ((compared_held_7_reference_0 / 32) mod 2) = 1;
       lowcost_pixels_first_0_0_value_4 := ((lowchain_lane_1_0 / 32) mod 2) = 1;
-      lowcost_pixels_first_0_0_choice_2 := (not lowcost_pixels_first_0_0_value_4) or (not compared_held_7_inside_0)
-        when lowcost_pixels_first_0_0_value_3 else lowcost_pixels_first_0_0_value_4 and compared_held_7_inside_0;
+      if lowcost_pixels_first_0_0_value_3 then
+        lowcost_pixels_first_0_0_choice_2 := (not lowcost_pixels_first_0_0_value_4) or (not compared_held_7_inside_0);
+      else
+        lowcost_pixels_first_0_0_choice_2 := lowcost_pixels_first_0_0_value_4 and compared_held_7_inside_0;
+      end if;
       lowcost_pixels_first_0_0_value_5 := ((compared_held_7_reference_0 / 16) mod 2) = 1;
       lowcost_pixels_first_0_0_value_6 := ((lowchain_lane_1_0 / 16) mod 2) = 1;
-      lowcost_pixels_first_0_0_choice_3 := (not lowcost_pixels_first_0_0_value_6) or (not compared_held_7_inside_0)
-        when lowcost_pixels_first_0_0_value_5 else lowcost_pixels_first_0_0_value_6 and compared_held_7_inside_0;
-      lowcost_pixels_first_0_0_choice_4 := (not ((lowchain_lane_1_0 mod 2) = 1)) or (not compared_held_7_inside_0) when
-        (compared_held_7_reference_0 mod 2) = 1 else ((lowchain_lane_1_0 mod 2) = 1) and compared_held_7_inside_0;
+      if lowcost_pixels_first_0_0_value_5 then
+        lowcost_pixels_first_0_0_choice_3 := (not lowcost_pixels_first_0_0_value_6) or (not compared_held_7_inside_0);
+      else
+        lowcost_pixels_first_0_0_choice_3 := lowcost_pixels_first_0_0_value_6 and compared_held_7_inside_0;
+      end if;
+      if (compared_held_7_reference_0 mod 2) = 1 then
+        lowcost_pixels_first_0_0_choice_4 := (not ((lowchain_lane_1_0 mod 2) = 1)) or (not compared_held_7_inside_0);
+      else
+        lowcost_pixels_first_0_0_choice_4 := ((lowchain_lane_1_0 mod 2) = 1) and compared_held_7_inside_0;
+      end if;
       lowcost_pixels_first_0_0_value_7 := ((compared_held_7_reference_0 / 4) mod 2) = 1;
       lowcost_pixels_first_0_0_value_8 := ((lowchain_lane_1_0 / 4) mod 2) = 1;
-      lowcost_pixels_first_0_0_choice_5 := (not lowcost_pixels_first_0_0_value_8) or (not compared_held_7_inside_0)
-        when lowcost_pixels_first_0_0_value_7 else lowcost_pixels_first_0_0_value_8 and compared_held_7_inside_0;
+      if lowcost_pixels_first_0_0_value_7 then
+        lowcost_pixels_first_0_0_choice_5 := (not lowcost_pixels_first_0_0_value_8) or (not compared_held_7_inside_0);
+      else
+        lowcost_pixels_first_0_0_choice_5 := lowcost_pixels_first_0_0_value_8 and compared_held_7_inside_0;
+      end if;
       lowcost_pixels_first_0_0_value_9 := ((compared_held_7_reference_0 / 2) mod 2) = 1;
       lowcost_pixels_first_0_0_value_10 := ((lowchain_lane_1_0 / 2) mod 2) = 1;
-      lowcost_pixels_first_0_0_choice_6 := (not lowcost_pixels_first_0_0_value_10) or (not compared_held_7_inside_0)
-        when lowcost_pixels_first_0_0_value_9 else lowcost_pixels_first_0_0_value_10 and compared_held_7_inside_0;
+      if lowcost_pixels_first_0_0_value_9 then
+        lowcost_pixels_first_0_0_choice_6 := (not lowcost_pixels_first_0_0_value_10) or (not compared_held_7_inside_0);
+      else
+        lowcost_pixels_first_0_0_choice_6 := lowcost_pixels_first_0_0_value_10 and compared_held_7_inside_0;
+      end if;
       lowcost_pixels_first_0_0_value_11 := ((compared_held_7_reference_0 / 64) mod 2) = 1;
       lowcost_pixels_first_0_0_value_12 := ((lowchain_lane_1_0 / 64) mod 2) = 1;
-      lowcost_pixels_first_0_0_choice_7 := (not lowcost_pixels_first_0_0_value_12) or (not compared_held_7_inside_0)
-        when lowcost_pixels_first_0_0_value_11 else lowcost_pixels_first_0_0_value_12 and compared_held_7_inside_0;
+      if lowcost_pixels_first_0_0_value_11 then
+        lowcost_pixels_first_0_0_choice_7 := (not lowcost_pixels_first_0_0_value_12) or (not compared_held_7_inside_0);
+      else
+        lowcost_pixels_first_0_0_choice_7 := lowcost_pixels_first_0_0_value_12 and compared_held_7_inside_0;
+      end if;
       lowcost_pixels_first_0_0_value_13 := ((compared_held_7_reference_0 / 256) mod 2) = 1;
       lowcost_pixels_first_0_0_value_14 := ((lowchain_lane_1_0 / 256) mod 2) = 1;
-      lowcost_pixels_first_0_0_choice_8 := (not lowcost_pixels_first_0_0_value_14) or (not compared_held_7_inside_0)
-        when lowcost_pixels_first_0_0_value_13 else lowcost_pixels_first_0_0_value_14 and compared_held_7_inside_0;
+      if lowcost_pixels_first_0_0_value_13 then
+        lowcost_pixels_first_0_0_choice_8 := (not lowcost_pixels_first_0_0_value_14) or (not compared_held_7_inside_0);
+      else
+        lowcost_pixels_first_0_0_choice_8 := lowcost_pixels_first_0_0_value_14 and compared_held_7_inside_0;
+      end if;
       lowcost_pixels_first_0_0_value_15 := ((compared_held_7_reference_0 / 128) mod 2) = 1;
       lowcost_pixels_first_0_0_value_16 := ((lowchain_lane_1_0 / 128) mod 2) = 1;
-      lowcost_pixels_first_0_0_choice_9 := (not lowcost_pixels_first_0_0_value_16) or (not compared_held_7_inside_0)
-        when lowcost_pixels_first_0_0_value_15 else lowcost_pixels_first_0_0_value_16 and compared_held_7_inside_0;
+      if lowcost_pixels_first_0_0_value_15 then
+        lowcost_pixels_first_0_0_choice_9 := (not lowcost_pixels_first_0_0_value_16) or (not compared_held_7_inside_0);
+      else
+        lowcost_pixels_first_0_0_choice_9 := lowcost_pixels_first_0_0_value_16 and compared_held_7_inside_0;
+      end if;
       lowcost_pixels_first_0_0_value_17 := ((compared_held_7_reference_0 / 512) mod 2) = 1;
       lowcost_pixels_first_0_0_value_18 := ((lowchain_lane_1_0 / 512) mod 2) = 1;
-      lowcost_pixels_first_0_0_choice_10 := (not lowcost_pixels_first_0_0_value_18) or (not compared_held_7_inside_0)
-        when lowcost_pixels_first_0_0_value_17 else lowcost_pixels_first_0_0_value_18 and compared_held_7_inside_0;
-      lowcost_pixels_first_0_0_choice_11 := (not ((lowchain_lane_1_0 / 2048) = 1)) or (not compared_held_7_inside_0)
-        when (compared_held_7_reference_0 / 2048) = 1 else ((lowchain_lane_1_0 / 2048) = 1) and
-        compared_held_7_inside_0;
+      if lowcost_pixels_first_0_0_value_17 then
+        lowcost_pixels_first_0_0_choice_10 := (not lowcost_pixels_first_0_0_value_18) or (not compared_held_7_inside_0);
+      else
+        lowcost_pixels_first_0_0_choice_10 := lowcost_pixels_first_0_0_value_18 and compared_held_7_inside_0;
+      end if;
+      if (compared_held_7_reference_0 / 2048) = 1 then
+        lowcost_pixels_first_0_0_choice_11 := (not ((lowchain_lane_1_0 / 2048) = 1)) or (not compared_held_7_inside_0);
+      else
+        lowcost_pixels_first_0_0_choice_11 := ((lowchain_lane_1_0 / 2048) = 1) and compared_held_7_inside_0;
+      end if;
       lowcost_pixels_first_0_0_value_19 := ((compared_held_7_reference_0 / 1024) mod 2) = 1;
       lowcost_pixels_first_0_0_value_20 := ((lowchain_lane_1_0 / 1024) mod 2) = 1;
-      lowcost_pixels_first_0_0_choice_12 := (not lowcost_pixels_first_0_0_value_20) or (not compared_held_7_inside_0)
-        when lowcost_pixels_first_0_0_value_19 else lowcost_pixels_first_0_0_value_20 and compared_held_7_inside_0;
+      if lowcost_pixels_first_0_0_value_19 then
+        lowcost_pixels_first_0_0_choice_12 := (not lowcost_pixels_first_0_0_value_20) or (not compared_held_7_inside_0);
+      else
+        lowcost_pixels_first_0_0_choice_12 := lowcost_pixels_first_0_0_value_20 and compared_held_7_inside_0;
+      end if;
       lowcost_pixels_first_0_1_differs := lowcost_pixels_first_0_0_value /= compared_held_7_inside_0;
-      lowcost_pixels_first_0_1_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_1 / 8) mod 2) = 1 else
-        lowcost_pixels_first_0_0_value;
+      if ((lowchain_lane_1_1 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_1_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_1_choice := lowcost_pixels_first_0_0_value;
+      end if;
       lowcost_pixels_first_0_1_differs_2 := lowcost_pixels_first_0_0_value_3 /= compared_held_7_inside_0;
-      lowcost_pixels_first_0_1_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_1 / 32) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_3;
+      if ((lowchain_lane_1_1 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_1_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_1_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
       lowcost_pixels_first_0_1_differs_3 := lowcost_pixels_first_0_0_value_5 /= compared_held_7_inside_0;
-      lowcost_pixels_first_0_1_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_1 / 16) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_5;
+      if ((lowchain_lane_1_1 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_1_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_1_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
       lowcost_pixels_first_0_1_differs_4 := ((compared_held_7_reference_0 mod 2) = 1) /= compared_held_7_inside_0;
-      lowcost_pixels_first_0_1_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_1 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
+      if (lowchain_lane_1_1 mod 2) = 1 then
+        lowcost_pixels_first_0_1_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_1_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
       lowcost_pixels_first_0_1_differs_5 := lowcost_pixels_first_0_0_value_7 /= compared_held_7_inside_0;
-      lowcost_pixels_first_0_1_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_1 / 4) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_7;
+      if ((lowchain_lane_1_1 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_1_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_1_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
       lowcost_pixels_first_0_1_differs_6 := lowcost_pixels_first_0_0_value_9 /= compared_held_7_inside_0;
-      lowcost_pixels_first_0_1_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_1 / 2) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_9;
+      if ((lowchain_lane_1_1 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_1_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_1_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
       lowcost_pixels_first_0_1_differs_7 := lowcost_pixels_first_0_0_value_11 /= compared_held_7_inside_0;
-      lowcost_pixels_first_0_1_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_1 / 64) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_11;
+      if ((lowchain_lane_1_1 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_1_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_1_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
       lowcost_pixels_first_0_1_differs_8 := lowcost_pixels_first_0_0_value_13 /= compared_held_7_inside_0;
-      lowcost_pixels_first_0_1_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_1 / 256) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_13;
+      if ((lowchain_lane_1_1 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_1_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_1_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
       lowcost_pixels_first_0_1_differs_9 := lowcost_pixels_first_0_0_value_15 /= compared_held_7_inside_0;
-      lowcost_pixels_first_0_1_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_1 / 128) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_15;
+      if ((lowchain_lane_1_1 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_1_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_1_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
       lowcost_pixels_first_0_1_differs_10 := lowcost_pixels_first_0_0_value_17 /= compared_held_7_inside_0;
-      lowcost_pixels_first_0_1_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_1 / 512) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_17;
+      if ((lowchain_lane_1_1 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_1_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_1_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
       lowcost_pixels_first_0_1_differs_11 := ((compared_held_7_reference_0 / 2048) = 1) /= compared_held_7_inside_0;
-      lowcost_pixels_first_0_1_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_1 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
+      if (lowchain_lane_1_1 / 2048) = 1 then
+        lowcost_pixels_first_0_1_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_1_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
       lowcost_pixels_first_0_1_differs_12 := lowcost_pixels_first_0_0_value_19 /= compared_held_7_inside_0;
-      lowcost_pixels_first_0_1_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_1 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_19;
-      lowcost_pixels_first_0_2_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_2 / 8) mod 2) = 1 else
-        lowcost_pixels_first_0_0_value;
-      lowcost_pixels_first_0_2_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_2 / 32) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_3;
-      lowcost_pixels_first_0_2_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_2 / 16) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_5;
-      lowcost_pixels_first_0_2_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_2 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      lowcost_pixels_first_0_2_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_2 / 4) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_7;
-      lowcost_pixels_first_0_2_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_2 / 2) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_9;
-      lowcost_pixels_first_0_2_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_2 / 64) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_11;
-      lowcost_pixels_first_0_2_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_2 / 256) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_13;
-      lowcost_pixels_first_0_2_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_2 / 128) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_15;
-      lowcost_pixels_first_0_2_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_2 / 512) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_17;
-      lowcost_pixels_first_0_2_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_2 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      lowcost_pixels_first_0_2_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_2 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_19;
-      lowcost_pixels_first_0_3_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_3 / 8) mod 2) = 1 else
-        lowcost_pixels_first_0_0_value;
-      lowcost_pixels_first_0_3_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_3 / 32) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_3;
-      lowcost_pixels_first_0_3_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_3 / 16) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_5;
-      lowcost_pixels_first_0_3_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_3 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      lowcost_pixels_first_0_3_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_3 / 4) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_7;
-      lowcost_pixels_first_0_3_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_3 / 2) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_9;
-      lowcost_pixels_first_0_3_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_3 / 64) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_11;
-      lowcost_pixels_first_0_3_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_3 / 256) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_13;
-      lowcost_pixels_first_0_3_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_3 / 128) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_15;
-      lowcost_pixels_first_0_3_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_3 / 512) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_17;
-      lowcost_pixels_first_0_3_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_3 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      lowcost_pixels_first_0_3_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_3 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_19;
-      lowcost_pixels_first_0_4_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_4 / 8) mod 2) = 1 else
-        lowcost_pixels_first_0_0_value;
-      lowcost_pixels_first_0_4_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_4 / 32) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_3;
-      lowcost_pixels_first_0_4_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_4 / 16) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_5;
-      lowcost_pixels_first_0_4_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_4 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      lowcost_pixels_first_0_4_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_4 / 4) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_7;
-      lowcost_pixels_first_0_4_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_4 / 2) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_9;
-      lowcost_pixels_first_0_4_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_4 / 64) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_11;
-      lowcost_pixels_first_0_4_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_4 / 256) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_13;
-      lowcost_pixels_first_0_4_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_4 / 128) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_15;
-      lowcost_pixels_first_0_4_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_4 / 512) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_17;
-      lowcost_pixels_first_0_4_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_4 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      lowcost_pixels_first_0_4_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_4 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_19;
-      lowcost_pixels_first_0_5_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_5 / 8) mod 2) = 1 else
-        lowcost_pixels_first_0_0_value;
-      lowcost_pixels_first_0_5_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_5 / 32) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_3;
-      lowcost_pixels_first_0_5_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_5 / 16) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_5;
-      lowcost_pixels_first_0_5_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_5 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      lowcost_pixels_first_0_5_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_5 / 4) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_7;
-      lowcost_pixels_first_0_5_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_5 / 2) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_9;
-      lowcost_pixels_first_0_5_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_5 / 64) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_11;
-      lowcost_pixels_first_0_5_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_5 / 256) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_13;
-      lowcost_pixels_first_0_5_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_5 / 128) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_15;
-      lowcost_pixels_first_0_5_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_5 / 512) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_17;
-      lowcost_pixels_first_0_5_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_5 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      lowcost_pixels_first_0_5_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_5 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_19;
-      lowcost_pixels_first_0_6_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_6 / 8) mod 2) = 1 else
-        lowcost_pixels_first_0_0_value;
-      lowcost_pixels_first_0_6_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_6 / 32) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_3;
-      lowcost_pixels_first_0_6_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_6 / 16) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_5;
-      lowcost_pixels_first_0_6_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_6 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      lowcost_pixels_first_0_6_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_6 / 4) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_7;
-      lowcost_pixels_first_0_6_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_6 / 2) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_9;
-      lowcost_pixels_first_0_6_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_6 / 64) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_11;
-      lowcost_pixels_first_0_6_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_6 / 256) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_13;
-      lowcost_pixels_first_0_6_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_6 / 128) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_15;
-      lowcost_pixels_first_0_6_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_6 / 512) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_17;
-      lowcost_pixels_first_0_6_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_6 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      lowcost_pixels_first_0_6_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_6 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_19;
-      lowcost_pixels_first_0_7_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_7 / 8) mod 2) = 1 else
-        lowcost_pixels_first_0_0_value;
-      lowcost_pixels_first_0_7_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_7 / 32) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_3;
-      lowcost_pixels_first_0_7_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_7 / 16) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_5;
-      lowcost_pixels_first_0_7_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_7 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      lowcost_pixels_first_0_7_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_7 / 4) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_7;
-      lowcost_pixels_first_0_7_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_7 / 2) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_9;
-      lowcost_pixels_first_0_7_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_7 / 64) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_11;
-      lowcost_pixels_first_0_7_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_7 / 256) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_13;
-      lowcost_pixels_first_0_7_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_7 / 128) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_15;
-      lowcost_pixels_first_0_7_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_7 / 512) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_17;
-      lowcost_pixels_first_0_7_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_7 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      lowcost_pixels_first_0_7_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_7 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_19;
-      lowcost_pixels_first_0_8_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_8 / 8) mod 2) = 1 else
-        lowcost_pixels_first_0_0_value;
-      lowcost_pixels_first_0_8_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_8 / 32) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_3;
-      lowcost_pixels_first_0_8_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_8 / 16) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_5;
-      lowcost_pixels_first_0_8_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_8 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      lowcost_pixels_first_0_8_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_8 / 4) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_7;
-      lowcost_pixels_first_0_8_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_8 / 2) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_9;
-      lowcost_pixels_first_0_8_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_8 / 64) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_11;
-      lowcost_pixels_first_0_8_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_8 / 256) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_13;
-      lowcost_pixels_first_0_8_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_8 / 128) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_15;
-      lowcost_pixels_first_0_8_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_8 / 512) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_17;
-      lowcost_pixels_first_0_8_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_8 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      lowcost_pixels_first_0_8_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_8 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_19;
-      lowcost_pixels_first_0_9_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_9 / 8) mod 2) = 1 else
-        lowcost_pixels_first_0_0_value;
-      lowcost_pixels_first_0_9_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_9 / 32) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_3;
-      lowcost_pixels_first_0_9_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_9 / 16) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_5;
-      lowcost_pixels_first_0_9_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_9 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      lowcost_pixels_first_0_9_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_9 / 4) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_7;
-      lowcost_pixels_first_0_9_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_9 / 2) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_9;
-      lowcost_pixels_first_0_9_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_9 / 64) mod 2) = 1
-        else lowcost_pixels_first_0_0_value_11;
-      lowcost_pixels_first_0_9_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_9 / 256) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_13;
-      lowcost_pixels_first_0_9_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_9 / 128) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_15;
-      lowcost_pixels_first_0_9_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_9 / 512) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_17;
-      lowcost_pixels_first_0_9_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_9 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      lowcost_pixels_first_0_9_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_9 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_19;
-      lowcost_pixels_first_0_10_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_10 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      lowcost_pixels_first_0_10_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_10 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      lowcost_pixels_first_0_10_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_10 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      lowcost_pixels_first_0_10_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_10 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      lowcost_pixels_first_0_10_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_10 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      lowcost_pixels_first_0_10_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_10 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      lowcost_pixels_first_0_10_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_10 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      lowcost_pixels_first_0_10_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_10 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      lowcost_pixels_first_0_10_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_10 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      lowcost_pixels_first_0_10_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_10 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      lowcost_pixels_first_0_10_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_10 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      lowcost_pixels_first_0_10_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_10 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      lowcost_pixels_first_0_11_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_11 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      lowcost_pixels_first_0_11_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_11 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      lowcost_pixels_first_0_11_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_11 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      lowcost_pixels_first_0_11_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_11 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      lowcost_pixels_first_0_11_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_11 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      lowcost_pixels_first_0_11_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_11 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      lowcost_pixels_first_0_11_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_11 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      lowcost_pixels_first_0_11_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_11 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      lowcost_pixels_first_0_11_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_11 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      lowcost_pixels_first_0_11_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_11 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      lowcost_pixels_first_0_11_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_11 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      lowcost_pixels_first_0_11_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_11 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      lowcost_pixels_first_0_12_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_12 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      lowcost_pixels_first_0_12_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_12 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      lowcost_pixels_first_0_12_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_12 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      lowcost_pixels_first_0_12_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_12 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      lowcost_pixels_first_0_12_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_12 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      lowcost_pixels_first_0_12_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_12 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      lowcost_pixels_first_0_12_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_12 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      lowcost_pixels_first_0_12_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_12 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      lowcost_pixels_first_0_12_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_12 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      lowcost_pixels_first_0_12_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_12 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      lowcost_pixels_first_0_12_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_12 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      lowcost_pixels_first_0_12_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_12 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      lowcost_pixels_first_0_13_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_13 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      lowcost_pixels_first_0_13_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_13 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      lowcost_pixels_first_0_13_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_13 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      lowcost_pixels_first_0_13_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_13 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      lowcost_pixels_first_0_13_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_13 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      lowcost_pixels_first_0_13_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_13 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      lowcost_pixels_first_0_13_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_13 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      lowcost_pixels_first_0_13_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_13 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      lowcost_pixels_first_0_13_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_13 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      lowcost_pixels_first_0_13_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_13 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      lowcost_pixels_first_0_13_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_13 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      lowcost_pixels_first_0_13_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_13 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      lowcost_pixels_first_0_14_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_14 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      lowcost_pixels_first_0_14_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_14 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      lowcost_pixels_first_0_14_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_14 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      lowcost_pixels_first_0_14_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_14 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      lowcost_pixels_first_0_14_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_14 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      lowcost_pixels_first_0_14_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_14 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      lowcost_pixels_first_0_14_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_14 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      lowcost_pixels_first_0_14_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_14 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      lowcost_pixels_first_0_14_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_14 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      lowcost_pixels_first_0_14_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_14 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      lowcost_pixels_first_0_14_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_14 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      lowcost_pixels_first_0_14_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_14 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      lowcost_pixels_first_0_15_choice := lowcost_pixels_first_0_1_differs when ((lowchain_lane_1_15 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      lowcost_pixels_first_0_15_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((lowchain_lane_1_15 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      lowcost_pixels_first_0_15_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((lowchain_lane_1_15 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      lowcost_pixels_first_0_15_choice_4 := lowcost_pixels_first_0_1_differs_4 when (lowchain_lane_1_15 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      lowcost_pixels_first_0_15_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((lowchain_lane_1_15 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      lowcost_pixels_first_0_15_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((lowchain_lane_1_15 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      lowcost_pixels_first_0_15_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((lowchain_lane_1_15 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      lowcost_pixels_first_0_15_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((lowchain_lane_1_15 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      lowcost_pixels_first_0_15_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((lowchain_lane_1_15 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      lowcost_pixels_first_0_15_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((lowchain_lane_1_15 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      lowcost_pixels_first_0_15_choice_11 := lowcost_pixels_first_0_1_differs_11 when (lowchain_lane_1_15 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      lowcost_pixels_first_0_15_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((lowchain_lane_1_15 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
+      if ((lowchain_lane_1_1 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_1_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_1_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((lowchain_lane_1_2 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_2_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_2_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((lowchain_lane_1_2 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_2_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_2_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((lowchain_lane_1_2 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_2_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_2_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (lowchain_lane_1_2 mod 2) = 1 then
+        lowcost_pixels_first_0_2_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_2_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_1_2 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_2_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_2_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((lowchain_lane_1_2 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_2_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_2_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((lowchain_lane_1_2 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_2_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_2_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((lowchain_lane_1_2 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_2_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_2_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((lowchain_lane_1_2 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_2_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_2_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((lowchain_lane_1_2 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_2_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_2_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (lowchain_lane_1_2 / 2048) = 1 then
+        lowcost_pixels_first_0_2_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_2_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_1_2 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_2_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_2_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((lowchain_lane_1_3 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_3_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_3_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((lowchain_lane_1_3 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_3_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_3_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((lowchain_lane_1_3 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_3_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_3_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (lowchain_lane_1_3 mod 2) = 1 then
+        lowcost_pixels_first_0_3_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_3_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_1_3 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_3_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_3_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((lowchain_lane_1_3 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_3_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_3_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((lowchain_lane_1_3 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_3_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_3_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((lowchain_lane_1_3 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_3_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_3_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((lowchain_lane_1_3 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_3_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_3_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((lowchain_lane_1_3 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_3_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_3_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (lowchain_lane_1_3 / 2048) = 1 then
+        lowcost_pixels_first_0_3_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_3_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_1_3 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_3_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_3_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((lowchain_lane_1_4 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_4_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_4_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((lowchain_lane_1_4 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_4_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_4_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((lowchain_lane_1_4 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_4_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_4_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (lowchain_lane_1_4 mod 2) = 1 then
+        lowcost_pixels_first_0_4_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_4_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_1_4 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_4_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_4_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((lowchain_lane_1_4 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_4_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_4_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((lowchain_lane_1_4 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_4_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_4_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((lowchain_lane_1_4 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_4_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_4_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((lowchain_lane_1_4 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_4_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_4_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((lowchain_lane_1_4 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_4_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_4_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (lowchain_lane_1_4 / 2048) = 1 then
+        lowcost_pixels_first_0_4_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_4_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_1_4 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_4_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_4_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((lowchain_lane_1_5 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_5_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_5_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((lowchain_lane_1_5 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_5_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_5_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((lowchain_lane_1_5 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_5_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_5_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (lowchain_lane_1_5 mod 2) = 1 then
+        lowcost_pixels_first_0_5_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_5_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_1_5 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_5_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_5_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((lowchain_lane_1_5 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_5_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_5_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((lowchain_lane_1_5 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_5_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_5_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((lowchain_lane_1_5 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_5_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_5_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((lowchain_lane_1_5 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_5_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_5_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((lowchain_lane_1_5 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_5_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_5_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (lowchain_lane_1_5 / 2048) = 1 then
+        lowcost_pixels_first_0_5_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_5_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_1_5 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_5_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_5_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((lowchain_lane_1_6 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_6_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_6_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((lowchain_lane_1_6 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_6_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_6_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((lowchain_lane_1_6 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_6_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_6_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (lowchain_lane_1_6 mod 2) = 1 then
+        lowcost_pixels_first_0_6_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_6_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_1_6 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_6_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_6_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((lowchain_lane_1_6 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_6_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_6_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((lowchain_lane_1_6 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_6_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_6_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((lowchain_lane_1_6 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_6_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_6_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((lowchain_lane_1_6 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_6_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_6_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((lowchain_lane_1_6 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_6_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_6_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (lowchain_lane_1_6 / 2048) = 1 then
+        lowcost_pixels_first_0_6_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_6_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_1_6 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_6_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_6_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((lowchain_lane_1_7 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_7_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_7_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((lowchain_lane_1_7 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_7_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_7_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((lowchain_lane_1_7 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_7_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_7_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (lowchain_lane_1_7 mod 2) = 1 then
+        lowcost_pixels_first_0_7_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_7_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_1_7 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_7_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_7_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((lowchain_lane_1_7 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_7_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_7_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((lowchain_lane_1_7 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_7_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_7_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((lowchain_lane_1_7 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_7_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_7_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((lowchain_lane_1_7 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_7_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_7_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((lowchain_lane_1_7 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_7_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_7_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (lowchain_lane_1_7 / 2048) = 1 then
+        lowcost_pixels_first_0_7_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_7_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_1_7 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_7_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_7_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((lowchain_lane_1_8 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_8_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_8_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((lowchain_lane_1_8 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_8_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_8_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((lowchain_lane_1_8 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_8_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_8_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (lowchain_lane_1_8 mod 2) = 1 then
+        lowcost_pixels_first_0_8_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_8_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_1_8 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_8_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_8_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((lowchain_lane_1_8 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_8_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_8_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((lowchain_lane_1_8 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_8_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_8_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((lowchain_lane_1_8 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_8_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_8_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((lowchain_lane_1_8 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_8_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_8_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((lowchain_lane_1_8 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_8_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_8_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (lowchain_lane_1_8 / 2048) = 1 then
+        lowcost_pixels_first_0_8_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_8_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_1_8 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_8_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_8_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((lowchain_lane_1_9 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_9_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_9_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((lowchain_lane_1_9 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_9_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_9_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((lowchain_lane_1_9 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_9_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_9_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (lowchain_lane_1_9 mod 2) = 1 then
+        lowcost_pixels_first_0_9_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_9_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_1_9 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_9_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_9_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((lowchain_lane_1_9 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_9_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_9_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((lowchain_lane_1_9 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_9_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_9_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((lowchain_lane_1_9 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_9_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_9_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((lowchain_lane_1_9 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_9_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_9_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((lowchain_lane_1_9 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_9_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_9_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (lowchain_lane_1_9 / 2048) = 1 then
+        lowcost_pixels_first_0_9_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_9_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_1_9 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_9_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_9_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((lowchain_lane_1_10 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_10_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_10_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((lowchain_lane_1_10 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_10_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_10_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((lowchain_lane_1_10 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_10_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_10_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (lowchain_lane_1_10 mod 2) = 1 then
+        lowcost_pixels_first_0_10_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_10_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_1_10 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_10_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_10_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((lowchain_lane_1_10 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_10_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_10_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((lowchain_lane_1_10 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_10_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_10_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((lowchain_lane_1_10 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_10_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_10_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((lowchain_lane_1_10 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_10_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_10_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((lowchain_lane_1_10 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_10_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_10_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (lowchain_lane_1_10 / 2048) = 1 then
+        lowcost_pixels_first_0_10_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_10_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_1_10 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_10_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_10_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((lowchain_lane_1_11 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_11_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_11_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((lowchain_lane_1_11 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_11_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_11_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((lowchain_lane_1_11 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_11_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_11_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (lowchain_lane_1_11 mod 2) = 1 then
+        lowcost_pixels_first_0_11_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_11_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_1_11 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_11_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_11_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((lowchain_lane_1_11 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_11_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_11_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((lowchain_lane_1_11 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_11_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_11_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((lowchain_lane_1_11 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_11_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_11_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((lowchain_lane_1_11 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_11_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_11_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((lowchain_lane_1_11 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_11_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_11_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (lowchain_lane_1_11 / 2048) = 1 then
+        lowcost_pixels_first_0_11_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_11_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_1_11 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_11_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_11_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((lowchain_lane_1_12 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_12_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_12_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((lowchain_lane_1_12 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_12_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_12_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((lowchain_lane_1_12 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_12_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_12_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (lowchain_lane_1_12 mod 2) = 1 then
+        lowcost_pixels_first_0_12_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_12_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_1_12 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_12_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_12_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((lowchain_lane_1_12 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_12_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_12_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((lowchain_lane_1_12 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_12_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_12_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((lowchain_lane_1_12 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_12_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_12_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((lowchain_lane_1_12 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_12_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_12_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((lowchain_lane_1_12 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_12_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_12_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (lowchain_lane_1_12 / 2048) = 1 then
+        lowcost_pixels_first_0_12_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_12_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_1_12 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_12_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_12_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((lowchain_lane_1_13 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_13_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_13_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((lowchain_lane_1_13 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_13_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_13_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((lowchain_lane_1_13 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_13_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_13_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (lowchain_lane_1_13 mod 2) = 1 then
+        lowcost_pixels_first_0_13_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_13_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_1_13 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_13_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_13_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((lowchain_lane_1_13 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_13_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_13_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((lowchain_lane_1_13 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_13_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_13_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((lowchain_lane_1_13 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_13_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_13_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((lowchain_lane_1_13 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_13_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_13_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((lowchain_lane_1_13 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_13_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_13_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (lowchain_lane_1_13 / 2048) = 1 then
+        lowcost_pixels_first_0_13_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_13_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_1_13 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_13_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_13_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((lowchain_lane_1_14 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_14_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_14_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((lowchain_lane_1_14 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_14_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_14_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((lowchain_lane_1_14 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_14_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_14_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (lowchain_lane_1_14 mod 2) = 1 then
+        lowcost_pixels_first_0_14_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_14_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_1_14 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_14_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_14_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((lowchain_lane_1_14 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_14_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_14_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((lowchain_lane_1_14 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_14_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_14_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((lowchain_lane_1_14 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_14_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_14_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((lowchain_lane_1_14 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_14_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_14_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((lowchain_lane_1_14 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_14_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_14_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (lowchain_lane_1_14 / 2048) = 1 then
+        lowcost_pixels_first_0_14_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_14_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_1_14 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_14_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_14_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((lowchain_lane_1_15 / 8) mod 2) = 1 then
+        lowcost_pixels_first_0_15_choice := lowcost_pixels_first_0_1_differs;
+      else
+        lowcost_pixels_first_0_15_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((lowchain_lane_1_15 / 32) mod 2) = 1 then
+        lowcost_pixels_first_0_15_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        lowcost_pixels_first_0_15_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((lowchain_lane_1_15 / 16) mod 2) = 1 then
+        lowcost_pixels_first_0_15_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        lowcost_pixels_first_0_15_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (lowchain_lane_1_15 mod 2) = 1 then
+        lowcost_pixels_first_0_15_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        lowcost_pixels_first_0_15_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_1_15 / 4) mod 2) = 1 then
+        lowcost_pixels_first_0_15_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        lowcost_pixels_first_0_15_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((lowchain_lane_1_15 / 2) mod 2) = 1 then
+        lowcost_pixels_first_0_15_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        lowcost_pixels_first_0_15_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((lowchain_lane_1_15 / 64) mod 2) = 1 then
+        lowcost_pixels_first_0_15_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        lowcost_pixels_first_0_15_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((lowchain_lane_1_15 / 256) mod 2) = 1 then
+        lowcost_pixels_first_0_15_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        lowcost_pixels_first_0_15_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((lowchain_lane_1_15 / 128) mod 2) = 1 then
+        lowcost_pixels_first_0_15_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        lowcost_pixels_first_0_15_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((lowchain_lane_1_15 / 512) mod 2) = 1 then
+        lowcost_pixels_first_0_15_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        lowcost_pixels_first_0_15_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (lowchain_lane_1_15 / 2048) = 1 then
+        lowcost_pixels_first_0_15_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        lowcost_pixels_first_0_15_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_1_15 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_0_15_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        lowcost_pixels_first_0_15_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
       lowcost_pixels_first_1_0_value := ((compared_held_7_reference_1 / 8) mod 2) = 1;
       lowcost_pixels_first_1_0_value_2 := ((lowchain_lane_0_0 / 8) mod 2) = 1;
-      lowcost_pixels_first_1_0_choice := (not lowcost_pixels_first_1_0_value_2) or (not compared_held_7_inside_1) when
-        lowcost_pixels_first_1_0_value else lowcost_pixels_first_1_0_value_2 and compared_held_7_inside_1;
+      if lowcost_pixels_first_1_0_value then
+        lowcost_pixels_first_1_0_choice := (not lowcost_pixels_first_1_0_value_2) or (not compared_held_7_inside_1);
+      else
+        lowcost_pixels_first_1_0_choice := lowcost_pixels_first_1_0_value_2 and compared_held_7_inside_1;
+      end if;
       lowcost_pixels_first_1_0_value_3 := ((compared_held_7_reference_1 / 32) mod 2) = 1;
       lowcost_pixels_first_1_0_value_4 := ((lowchain_lane_0_0 / 32) mod 2) = 1;
-      lowcost_pixels_first_1_0_choice_2 := (not lowcost_pixels_first_1_0_value_4) or (not compared_held_7_inside_1)
-        when lowcost_pixels_first_1_0_value_3 else lowcost_pixels_first_1_0_value_4 and compared_held_7_inside_1;
+      if lowcost_pixels_first_1_0_value_3 then
+        lowcost_pixels_first_1_0_choice_2 := (not lowcost_pixels_first_1_0_value_4) or (not compared_held_7_inside_1);
+      else
+        lowcost_pixels_first_1_0_choice_2 := lowcost_pixels_first_1_0_value_4 and compared_held_7_inside_1;
+      end if;
       lowcost_pixels_first_1_0_value_5 := ((compared_held_7_reference_1 / 16) mod 2) = 1;
       lowcost_pixels_first_1_0_value_6 := ((lowchain_lane_0_0 / 16) mod 2) = 1;
-      lowcost_pixels_first_1_0_choice_3 := (not lowcost_pixels_first_1_0_value_6) or (not compared_held_7_inside_1)
-        when lowcost_pixels_first_1_0_value_5 else lowcost_pixels_first_1_0_value_6 and compared_held_7_inside_1;
-      lowcost_pixels_first_1_0_choice_4 := (not ((lowchain_lane_0_0 mod 2) = 1)) or (not compared_held_7_inside_1) when
-        (compared_held_7_reference_1 mod 2) = 1 else ((lowchain_lane_0_0 mod 2) = 1) and compared_held_7_inside_1;
+      if lowcost_pixels_first_1_0_value_5 then
+        lowcost_pixels_first_1_0_choice_3 := (not lowcost_pixels_first_1_0_value_6) or (not compared_held_7_inside_1);
+      else
+        lowcost_pixels_first_1_0_choice_3 := lowcost_pixels_first_1_0_value_6 and compared_held_7_inside_1;
+      end if;
+      if (compared_held_7_reference_1 mod 2) = 1 then
+        lowcost_pixels_first_1_0_choice_4 := (not ((lowchain_lane_0_0 mod 2) = 1)) or (not compared_held_7_inside_1);
+      else
+        lowcost_pixels_first_1_0_choice_4 := ((lowchain_lane_0_0 mod 2) = 1) and compared_held_7_inside_1;
+      end if;
       lowcost_pixels_first_1_0_value_7 := ((compared_held_7_reference_1 / 4) mod 2) = 1;
       lowcost_pixels_first_1_0_value_8 := ((lowchain_lane_0_0 / 4) mod 2) = 1;
-      lowcost_pixels_first_1_0_choice_5 := (not lowcost_pixels_first_1_0_value_8) or (not compared_held_7_inside_1)
-        when lowcost_pixels_first_1_0_value_7 else lowcost_pixels_first_1_0_value_8 and compared_held_7_inside_1;
+      if lowcost_pixels_first_1_0_value_7 then
+        lowcost_pixels_first_1_0_choice_5 := (not lowcost_pixels_first_1_0_value_8) or (not compared_held_7_inside_1);
+      else
+        lowcost_pixels_first_1_0_choice_5 := lowcost_pixels_first_1_0_value_8 and compared_held_7_inside_1;
+      end if;
       lowcost_pixels_first_1_0_value_9 := ((compared_held_7_reference_1 / 2) mod 2) = 1;
       lowcost_pixels_first_1_0_value_10 := ((lowchain_lane_0_0 / 2) mod 2) = 1;
-      lowcost_pixels_first_1_0_choice_6 := (not lowcost_pixels_first_1_0_value_10) or (not compared_held_7_inside_1)
-        when lowcost_pixels_first_1_0_value_9 else lowcost_pixels_first_1_0_value_10 and compared_held_7_inside_1;
+      if lowcost_pixels_first_1_0_value_9 then
+        lowcost_pixels_first_1_0_choice_6 := (not lowcost_pixels_first_1_0_value_10) or (not compared_held_7_inside_1);
+      else
+        lowcost_pixels_first_1_0_choice_6 := lowcost_pixels_first_1_0_value_10 and compared_held_7_inside_1;
+      end if;
       lowcost_pixels_first_1_0_value_11 := ((compared_held_7_reference_1 / 64) mod 2) = 1;
       lowcost_pixels_first_1_0_value_12 := ((lowchain_lane_0_0 / 64) mod 2) = 1;
-      lowcost_pixels_first_1_0_choice_7 := (not lowcost_pixels_first_1_0_value_12) or (not compared_held_7_inside_1)
-        when lowcost_pixels_first_1_0_value_11 else lowcost_pixels_first_1_0_value_12 and compared_held_7_inside_1;
+      if lowcost_pixels_first_1_0_value_11 then
+        lowcost_pixels_first_1_0_choice_7 := (not lowcost_pixels_first_1_0_value_12) or (not compared_held_7_inside_1);
+      else
+        lowcost_pixels_first_1_0_choice_7 := lowcost_pixels_first_1_0_value_12 and compared_held_7_inside_1;
+      end if;
       lowcost_pixels_first_1_0_value_13 := ((compared_held_7_reference_1 / 256) mod 2) = 1;
       lowcost_pixels_first_1_0_value_14 := ((lowchain_lane_0_0 / 256) mod 2) = 1;
-      lowcost_pixels_first_1_0_choice_8 := (not lowcost_pixels_first_1_0_value_14) or (not compared_held_7_inside_1)
-        when lowcost_pixels_first_1_0_value_13 else lowcost_pixels_first_1_0_value_14 and compared_held_7_inside_1;
+      if lowcost_pixels_first_1_0_value_13 then
+        lowcost_pixels_first_1_0_choice_8 := (not lowcost_pixels_first_1_0_value_14) or (not compared_held_7_inside_1);
+      else
+        lowcost_pixels_first_1_0_choice_8 := lowcost_pixels_first_1_0_value_14 and compared_held_7_inside_1;
+      end if;
       lowcost_pixels_first_1_0_value_15 := ((compared_held_7_reference_1 / 128) mod 2) = 1;
       lowcost_pixels_first_1_0_value_16 := ((lowchain_lane_0_0 / 128) mod 2) = 1;
-      lowcost_pixels_first_1_0_choice_9 := (not lowcost_pixels_first_1_0_value_16) or (not compared_held_7_inside_1)
-        when lowcost_pixels_first_1_0_value_15 else lowcost_pixels_first_1_0_value_16 and compared_held_7_inside_1;
+      if lowcost_pixels_first_1_0_value_15 then
+        lowcost_pixels_first_1_0_choice_9 := (not lowcost_pixels_first_1_0_value_16) or (not compared_held_7_inside_1);
+      else
+        lowcost_pixels_first_1_0_choice_9 := lowcost_pixels_first_1_0_value_16 and compared_held_7_inside_1;
+      end if;
       lowcost_pixels_first_1_0_value_17 := ((compared_held_7_reference_1 / 512) mod 2) = 1;
       lowcost_pixels_first_1_0_value_18 := ((lowchain_lane_0_0 / 512) mod 2) = 1;
-      lowcost_pixels_first_1_0_choice_10 := (not lowcost_pixels_first_1_0_value_18) or (not compared_held_7_inside_1)
-        when lowcost_pixels_first_1_0_value_17 else lowcost_pixels_first_1_0_value_18 and compared_held_7_inside_1;
-      lowcost_pixels_first_1_0_choice_11 := (not ((lowchain_lane_0_0 / 2048) = 1)) or (not compared_held_7_inside_1)
-        when (compared_held_7_reference_1 / 2048) = 1 else ((lowchain_lane_0_0 / 2048) = 1) and
-        compared_held_7_inside_1;
+      if lowcost_pixels_first_1_0_value_17 then
+        lowcost_pixels_first_1_0_choice_10 := (not lowcost_pixels_first_1_0_value_18) or (not compared_held_7_inside_1);
+      else
+        lowcost_pixels_first_1_0_choice_10 := lowcost_pixels_first_1_0_value_18 and compared_held_7_inside_1;
+      end if;
+      if (compared_held_7_reference_1 / 2048) = 1 then
+        lowcost_pixels_first_1_0_choice_11 := (not ((lowchain_lane_0_0 / 2048) = 1)) or (not compared_held_7_inside_1);
+      else
+        lowcost_pixels_first_1_0_choice_11 := ((lowchain_lane_0_0 / 2048) = 1) and compared_held_7_inside_1;
+      end if;
       lowcost_pixels_first_1_0_value_19 := ((compared_held_7_reference_1 / 1024) mod 2) = 1;
       lowcost_pixels_first_1_0_value_20 := ((lowchain_lane_0_0 / 1024) mod 2) = 1;
-      lowcost_pixels_first_1_0_choice_12 := (not lowcost_pixels_first_1_0_value_20) or (not compared_held_7_inside_1)
-        when lowcost_pixels_first_1_0_value_19 else lowcost_pixels_first_1_0_value_20 and compared_held_7_inside_1;
+      if lowcost_pixels_first_1_0_value_19 then
+        lowcost_pixels_first_1_0_choice_12 := (not lowcost_pixels_first_1_0_value_20) or (not compared_held_7_inside_1);
+      else
+        lowcost_pixels_first_1_0_choice_12 := lowcost_pixels_first_1_0_value_20 and compared_held_7_inside_1;
+      end if;
       lowcost_pixels_first_1_1_differs := lowcost_pixels_first_1_0_value /= compared_held_7_inside_1;
-      lowcost_pixels_first_1_1_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_1 / 8) mod 2) = 1 else
-        lowcost_pixels_first_1_0_value;
+      if ((lowchain_lane_0_1 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_1_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_1_choice := lowcost_pixels_first_1_0_value;
+      end if;
       lowcost_pixels_first_1_1_differs_2 := lowcost_pixels_first_1_0_value_3 /= compared_held_7_inside_1;
-      lowcost_pixels_first_1_1_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_1 / 32) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_3;
+      if ((lowchain_lane_0_1 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_1_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_1_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
       lowcost_pixels_first_1_1_differs_3 := lowcost_pixels_first_1_0_value_5 /= compared_held_7_inside_1;
-      lowcost_pixels_first_1_1_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_1 / 16) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_5;
+      if ((lowchain_lane_0_1 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_1_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_1_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
       lowcost_pixels_first_1_1_differs_4 := ((compared_held_7_reference_1 mod 2) = 1) /= compared_held_7_inside_1;
-      lowcost_pixels_first_1_1_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_1 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
+      if (lowchain_lane_0_1 mod 2) = 1 then
+        lowcost_pixels_first_1_1_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_1_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
       lowcost_pixels_first_1_1_differs_5 := lowcost_pixels_first_1_0_value_7 /= compared_held_7_inside_1;
-      lowcost_pixels_first_1_1_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_1 / 4) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_7;
+      if ((lowchain_lane_0_1 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_1_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_1_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
       lowcost_pixels_first_1_1_differs_6 := lowcost_pixels_first_1_0_value_9 /= compared_held_7_inside_1;
-      lowcost_pixels_first_1_1_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_1 / 2) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_9;
+      if ((lowchain_lane_0_1 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_1_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_1_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
       lowcost_pixels_first_1_1_differs_7 := lowcost_pixels_first_1_0_value_11 /= compared_held_7_inside_1;
-      lowcost_pixels_first_1_1_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_1 / 64) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_11;
+      if ((lowchain_lane_0_1 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_1_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_1_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
       lowcost_pixels_first_1_1_differs_8 := lowcost_pixels_first_1_0_value_13 /= compared_held_7_inside_1;
-      lowcost_pixels_first_1_1_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_1 / 256) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_13;
+      if ((lowchain_lane_0_1 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_1_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_1_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
       lowcost_pixels_first_1_1_differs_9 := lowcost_pixels_first_1_0_value_15 /= compared_held_7_inside_1;
-      lowcost_pixels_first_1_1_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_1 / 128) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_15;
+      if ((lowchain_lane_0_1 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_1_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_1_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
       lowcost_pixels_first_1_1_differs_10 := lowcost_pixels_first_1_0_value_17 /= compared_held_7_inside_1;
-      lowcost_pixels_first_1_1_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_1 / 512) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_17;
+      if ((lowchain_lane_0_1 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_1_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_1_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
       lowcost_pixels_first_1_1_differs_11 := ((compared_held_7_reference_1 / 2048) = 1) /= compared_held_7_inside_1;
-      lowcost_pixels_first_1_1_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_1 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
+      if (lowchain_lane_0_1 / 2048) = 1 then
+        lowcost_pixels_first_1_1_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_1_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
       lowcost_pixels_first_1_1_differs_12 := lowcost_pixels_first_1_0_value_19 /= compared_held_7_inside_1;
-      lowcost_pixels_first_1_1_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_1 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_pixels_first_1_2_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_2 / 8) mod 2) = 1 else
-        lowcost_pixels_first_1_0_value;
-      lowcost_pixels_first_1_2_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_2 / 32) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_3;
-      lowcost_pixels_first_1_2_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_2 / 16) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_5;
-      lowcost_pixels_first_1_2_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_2 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      lowcost_pixels_first_1_2_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_2 / 4) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_7;
-      lowcost_pixels_first_1_2_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_2 / 2) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_9;
-      lowcost_pixels_first_1_2_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_2 / 64) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_11;
-      lowcost_pixels_first_1_2_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_2 / 256) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_13;
-      lowcost_pixels_first_1_2_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_2 / 128) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_15;
-      lowcost_pixels_first_1_2_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_2 / 512) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_17;
-      lowcost_pixels_first_1_2_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_2 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      lowcost_pixels_first_1_2_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_2 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_pixels_first_1_3_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_3 / 8) mod 2) = 1 else
-        lowcost_pixels_first_1_0_value;
-      lowcost_pixels_first_1_3_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_3 / 32) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_3;
-      lowcost_pixels_first_1_3_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_3 / 16) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_5;
-      lowcost_pixels_first_1_3_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_3 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      lowcost_pixels_first_1_3_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_3 / 4) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_7;
-      lowcost_pixels_first_1_3_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_3 / 2) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_9;
-      lowcost_pixels_first_1_3_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_3 / 64) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_11;
-      lowcost_pixels_first_1_3_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_3 / 256) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_13;
-      lowcost_pixels_first_1_3_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_3 / 128) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_15;
-      lowcost_pixels_first_1_3_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_3 / 512) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_17;
-      lowcost_pixels_first_1_3_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_3 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      lowcost_pixels_first_1_3_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_3 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_pixels_first_1_4_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_4 / 8) mod 2) = 1 else
-        lowcost_pixels_first_1_0_value;
-      lowcost_pixels_first_1_4_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_4 / 32) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_3;
-      lowcost_pixels_first_1_4_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_4 / 16) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_5;
-      lowcost_pixels_first_1_4_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_4 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      lowcost_pixels_first_1_4_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_4 / 4) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_7;
-      lowcost_pixels_first_1_4_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_4 / 2) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_9;
-      lowcost_pixels_first_1_4_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_4 / 64) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_11;
-      lowcost_pixels_first_1_4_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_4 / 256) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_13;
-      lowcost_pixels_first_1_4_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_4 / 128) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_15;
-      lowcost_pixels_first_1_4_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_4 / 512) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_17;
-      lowcost_pixels_first_1_4_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_4 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      lowcost_pixels_first_1_4_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_4 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_pixels_first_1_5_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_5 / 8) mod 2) = 1 else
-        lowcost_pixels_first_1_0_value;
-      lowcost_pixels_first_1_5_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_5 / 32) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_3;
-      lowcost_pixels_first_1_5_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_5 / 16) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_5;
-      lowcost_pixels_first_1_5_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_5 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      lowcost_pixels_first_1_5_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_5 / 4) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_7;
-      lowcost_pixels_first_1_5_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_5 / 2) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_9;
-      lowcost_pixels_first_1_5_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_5 / 64) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_11;
-      lowcost_pixels_first_1_5_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_5 / 256) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_13;
-      lowcost_pixels_first_1_5_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_5 / 128) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_15;
-      lowcost_pixels_first_1_5_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_5 / 512) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_17;
-      lowcost_pixels_first_1_5_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_5 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      lowcost_pixels_first_1_5_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_5 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_pixels_first_1_6_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_6 / 8) mod 2) = 1 else
-        lowcost_pixels_first_1_0_value;
-      lowcost_pixels_first_1_6_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_6 / 32) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_3;
-      lowcost_pixels_first_1_6_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_6 / 16) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_5;
-      lowcost_pixels_first_1_6_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_6 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      lowcost_pixels_first_1_6_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_6 / 4) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_7;
-      lowcost_pixels_first_1_6_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_6 / 2) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_9;
-      lowcost_pixels_first_1_6_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_6 / 64) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_11;
-      lowcost_pixels_first_1_6_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_6 / 256) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_13;
-      lowcost_pixels_first_1_6_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_6 / 128) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_15;
-      lowcost_pixels_first_1_6_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_6 / 512) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_17;
-      lowcost_pixels_first_1_6_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_6 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      lowcost_pixels_first_1_6_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_6 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_pixels_first_1_7_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_7 / 8) mod 2) = 1 else
-        lowcost_pixels_first_1_0_value;
-      lowcost_pixels_first_1_7_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_7 / 32) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_3;
-      lowcost_pixels_first_1_7_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_7 / 16) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_5;
-      lowcost_pixels_first_1_7_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_7 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      lowcost_pixels_first_1_7_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_7 / 4) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_7;
-      lowcost_pixels_first_1_7_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_7 / 2) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_9;
-      lowcost_pixels_first_1_7_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_7 / 64) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_11;
-      lowcost_pixels_first_1_7_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_7 / 256) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_13;
-      lowcost_pixels_first_1_7_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_7 / 128) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_15;
-      lowcost_pixels_first_1_7_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_7 / 512) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_17;
-      lowcost_pixels_first_1_7_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_7 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      lowcost_pixels_first_1_7_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_7 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_pixels_first_1_8_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_8 / 8) mod 2) = 1 else
-        lowcost_pixels_first_1_0_value;
-      lowcost_pixels_first_1_8_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_8 / 32) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_3;
-      lowcost_pixels_first_1_8_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_8 / 16) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_5;
-      lowcost_pixels_first_1_8_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_8 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      lowcost_pixels_first_1_8_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_8 / 4) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_7;
-      lowcost_pixels_first_1_8_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_8 / 2) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_9;
-      lowcost_pixels_first_1_8_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_8 / 64) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_11;
-      lowcost_pixels_first_1_8_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_8 / 256) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_13;
-      lowcost_pixels_first_1_8_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_8 / 128) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_15;
-      lowcost_pixels_first_1_8_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_8 / 512) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_17;
-      lowcost_pixels_first_1_8_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_8 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      lowcost_pixels_first_1_8_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_8 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_pixels_first_1_9_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_9 / 8) mod 2) = 1 else
-        lowcost_pixels_first_1_0_value;
-      lowcost_pixels_first_1_9_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_9 / 32) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_3;
-      lowcost_pixels_first_1_9_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_9 / 16) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_5;
-      lowcost_pixels_first_1_9_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_9 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      lowcost_pixels_first_1_9_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_9 / 4) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_7;
-      lowcost_pixels_first_1_9_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_9 / 2) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_9;
-      lowcost_pixels_first_1_9_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_9 / 64) mod 2) = 1
-        else lowcost_pixels_first_1_0_value_11;
-      lowcost_pixels_first_1_9_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_9 / 256) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_13;
-      lowcost_pixels_first_1_9_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_9 / 128) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_15;
-      lowcost_pixels_first_1_9_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_9 / 512) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_17;
-      lowcost_pixels_first_1_9_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_9 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      lowcost_pixels_first_1_9_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_9 / 1024) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_pixels_first_1_10_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_10 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      lowcost_pixels_first_1_10_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_10 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      lowcost_pixels_first_1_10_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_10 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      lowcost_pixels_first_1_10_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_10 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      lowcost_pixels_first_1_10_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_10 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      lowcost_pixels_first_1_10_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_10 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      lowcost_pixels_first_1_10_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_10 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      lowcost_pixels_first_1_10_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_10 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      lowcost_pixels_first_1_10_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_10 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      lowcost_pixels_first_1_10_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_10 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      lowcost_pixels_first_1_10_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_10 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      lowcost_pixels_first_1_10_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_10 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_pixels_first_1_11_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_11 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      lowcost_pixels_first_1_11_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_11 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      lowcost_pixels_first_1_11_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_11 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      lowcost_pixels_first_1_11_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_11 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      lowcost_pixels_first_1_11_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_11 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      lowcost_pixels_first_1_11_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_11 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      lowcost_pixels_first_1_11_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_11 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      lowcost_pixels_first_1_11_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_11 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      lowcost_pixels_first_1_11_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_11 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      lowcost_pixels_first_1_11_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_11 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      lowcost_pixels_first_1_11_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_11 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      lowcost_pixels_first_1_11_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_11 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_pixels_first_1_12_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_12 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      lowcost_pixels_first_1_12_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_12 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      lowcost_pixels_first_1_12_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_12 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      lowcost_pixels_first_1_12_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_12 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      lowcost_pixels_first_1_12_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_12 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      lowcost_pixels_first_1_12_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_12 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      lowcost_pixels_first_1_12_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_12 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      lowcost_pixels_first_1_12_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_12 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      lowcost_pixels_first_1_12_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_12 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      lowcost_pixels_first_1_12_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_12 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      lowcost_pixels_first_1_12_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_12 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      lowcost_pixels_first_1_12_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_12 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_pixels_first_1_13_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_13 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      lowcost_pixels_first_1_13_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_13 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      lowcost_pixels_first_1_13_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_13 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      lowcost_pixels_first_1_13_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_13 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      lowcost_pixels_first_1_13_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_13 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      lowcost_pixels_first_1_13_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_13 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      lowcost_pixels_first_1_13_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_13 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      lowcost_pixels_first_1_13_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_13 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      lowcost_pixels_first_1_13_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_13 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      lowcost_pixels_first_1_13_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_13 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      lowcost_pixels_first_1_13_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_13 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      lowcost_pixels_first_1_13_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_13 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_pixels_first_1_14_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_14 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      lowcost_pixels_first_1_14_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_14 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      lowcost_pixels_first_1_14_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_14 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      lowcost_pixels_first_1_14_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_14 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      lowcost_pixels_first_1_14_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_14 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      lowcost_pixels_first_1_14_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_14 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      lowcost_pixels_first_1_14_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_14 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      lowcost_pixels_first_1_14_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_14 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      lowcost_pixels_first_1_14_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_14 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      lowcost_pixels_first_1_14_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_14 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      lowcost_pixels_first_1_14_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_14 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      lowcost_pixels_first_1_14_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_14 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_pixels_first_1_15_choice := lowcost_pixels_first_1_1_differs when ((lowchain_lane_0_15 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      lowcost_pixels_first_1_15_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((lowchain_lane_0_15 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      lowcost_pixels_first_1_15_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((lowchain_lane_0_15 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      lowcost_pixels_first_1_15_choice_4 := lowcost_pixels_first_1_1_differs_4 when (lowchain_lane_0_15 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      lowcost_pixels_first_1_15_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((lowchain_lane_0_15 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      lowcost_pixels_first_1_15_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((lowchain_lane_0_15 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      lowcost_pixels_first_1_15_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((lowchain_lane_0_15 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      lowcost_pixels_first_1_15_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((lowchain_lane_0_15 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      lowcost_pixels_first_1_15_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((lowchain_lane_0_15 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      lowcost_pixels_first_1_15_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((lowchain_lane_0_15 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      lowcost_pixels_first_1_15_choice_11 := lowcost_pixels_first_1_1_differs_11 when (lowchain_lane_0_15 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      lowcost_pixels_first_1_15_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((lowchain_lane_0_15 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      lowcost_column_0_0_choice := 0 when lowcost_ready_tag_first_group else lowcost_ready_words_0 mod 128;
-      lowcost_column_0_0_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_0 +
-        lowcost_column_0_0_choice) mod 128;
-      lowcost_column_0_1_choice := 0 when lowcost_ready_tag_first_group else (lowcost_ready_words_0 / 128) mod 128;
-      lowcost_column_0_1_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_1 +
-        lowcost_column_0_1_choice) mod 128;
-      lowcost_column_0_2_choice := 0 when lowcost_ready_tag_first_group else (lowcost_ready_words_0 / 16384) mod 128;
-      lowcost_column_0_2_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_2 +
-        lowcost_column_0_2_choice) mod 128;
-      lowcost_column_0_3_choice := 0 when lowcost_ready_tag_first_group else lowcost_ready_words_0 / 2097152;
-      lowcost_column_0_3_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_3 +
-        lowcost_column_0_3_choice) mod 128;
-      lowcost_column_0_4_choice := 0 when lowcost_ready_tag_first_group else lowcost_ready_words_1 mod 128;
-      lowcost_column_0_4_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_4 +
-        lowcost_column_0_4_choice) mod 128;
-      lowcost_column_0_5_choice := 0 when lowcost_ready_tag_first_group else (lowcost_ready_words_1 / 128) mod 128;
-      lowcost_column_0_5_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_5 +
-        lowcost_column_0_5_choice) mod 128;
-      lowcost_column_0_6_choice := 0 when lowcost_ready_tag_first_group else (lowcost_ready_words_1 / 16384) mod 128;
-      lowcost_column_0_6_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_6 +
-        lowcost_column_0_6_choice) mod 128;
-      lowcost_column_0_7_choice := 0 when lowcost_ready_tag_first_group else lowcost_ready_words_1 / 2097152;
-      lowcost_column_0_7_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_7 +
-        lowcost_column_0_7_choice) mod 128;
-      lowcost_column_0_8_choice := 0 when lowcost_ready_tag_first_group else lowcost_ready_words_2 mod 128;
-      lowcost_column_0_8_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_8 +
-        lowcost_column_0_8_choice) mod 128;
-      lowcost_column_0_9_choice := 0 when lowcost_ready_tag_first_group else (lowcost_ready_words_2 / 128) mod 128;
-      lowcost_column_0_9_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_9 +
-        lowcost_column_0_9_choice) mod 128;
-      lowcost_column_0_10_choice := 0 when lowcost_ready_tag_first_group else (lowcost_ready_words_2 / 16384) mod 128;
-      lowcost_column_0_10_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_10 +
-        lowcost_column_0_10_choice) mod 128;
-      lowcost_column_0_11_choice := 0 when lowcost_ready_tag_first_group else lowcost_ready_words_2 / 2097152;
-      lowcost_column_0_11_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_11 +
-        lowcost_column_0_11_choice) mod 128;
-      lowcost_column_0_12_choice := 0 when lowcost_ready_tag_first_group else lowcost_ready_words_3 mod 128;
-      lowcost_column_0_12_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_12 +
-        lowcost_column_0_12_choice) mod 128;
-      lowcost_column_0_13_choice := 0 when lowcost_ready_tag_first_group else (lowcost_ready_words_3 / 128) mod 128;
-      lowcost_column_0_13_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_13 +
-        lowcost_column_0_13_choice) mod 128;
-      lowcost_column_0_14_choice := 0 when lowcost_ready_tag_first_group else (lowcost_ready_words_3 / 16384) mod 128;
-      lowcost_column_0_14_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_14 +
-        lowcost_column_0_14_choice) mod 128;
-      lowcost_column_0_15_choice := 0 when lowcost_ready_tag_first_group else lowcost_ready_words_3 / 2097152;
-      lowcost_column_0_15_choice_2 := 0 when lowcost_ready_tag_border_column else (lowcost_change_0_15 +
-        lowcost_column_0_15_choice) mod 128;
+      if ((lowchain_lane_0_1 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_1_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_1_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((lowchain_lane_0_2 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_2_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_2_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((lowchain_lane_0_2 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_2_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_2_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((lowchain_lane_0_2 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_2_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_2_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (lowchain_lane_0_2 mod 2) = 1 then
+        lowcost_pixels_first_1_2_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_2_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_0_2 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_2_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_2_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((lowchain_lane_0_2 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_2_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_2_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((lowchain_lane_0_2 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_2_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_2_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((lowchain_lane_0_2 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_2_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_2_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((lowchain_lane_0_2 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_2_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_2_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((lowchain_lane_0_2 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_2_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_2_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (lowchain_lane_0_2 / 2048) = 1 then
+        lowcost_pixels_first_1_2_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_2_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_0_2 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_2_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_2_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((lowchain_lane_0_3 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_3_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_3_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((lowchain_lane_0_3 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_3_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_3_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((lowchain_lane_0_3 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_3_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_3_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (lowchain_lane_0_3 mod 2) = 1 then
+        lowcost_pixels_first_1_3_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_3_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_0_3 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_3_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_3_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((lowchain_lane_0_3 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_3_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_3_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((lowchain_lane_0_3 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_3_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_3_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((lowchain_lane_0_3 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_3_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_3_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((lowchain_lane_0_3 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_3_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_3_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((lowchain_lane_0_3 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_3_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_3_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (lowchain_lane_0_3 / 2048) = 1 then
+        lowcost_pixels_first_1_3_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_3_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_0_3 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_3_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_3_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((lowchain_lane_0_4 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_4_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_4_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((lowchain_lane_0_4 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_4_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_4_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((lowchain_lane_0_4 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_4_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_4_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (lowchain_lane_0_4 mod 2) = 1 then
+        lowcost_pixels_first_1_4_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_4_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_0_4 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_4_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_4_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((lowchain_lane_0_4 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_4_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_4_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((lowchain_lane_0_4 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_4_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_4_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((lowchain_lane_0_4 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_4_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_4_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((lowchain_lane_0_4 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_4_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_4_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((lowchain_lane_0_4 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_4_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_4_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (lowchain_lane_0_4 / 2048) = 1 then
+        lowcost_pixels_first_1_4_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_4_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_0_4 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_4_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_4_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((lowchain_lane_0_5 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_5_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_5_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((lowchain_lane_0_5 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_5_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_5_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((lowchain_lane_0_5 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_5_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_5_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (lowchain_lane_0_5 mod 2) = 1 then
+        lowcost_pixels_first_1_5_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_5_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_0_5 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_5_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_5_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((lowchain_lane_0_5 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_5_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_5_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((lowchain_lane_0_5 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_5_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_5_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((lowchain_lane_0_5 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_5_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_5_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((lowchain_lane_0_5 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_5_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_5_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((lowchain_lane_0_5 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_5_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_5_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (lowchain_lane_0_5 / 2048) = 1 then
+        lowcost_pixels_first_1_5_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_5_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_0_5 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_5_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_5_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((lowchain_lane_0_6 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_6_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_6_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((lowchain_lane_0_6 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_6_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_6_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((lowchain_lane_0_6 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_6_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_6_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (lowchain_lane_0_6 mod 2) = 1 then
+        lowcost_pixels_first_1_6_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_6_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_0_6 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_6_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_6_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((lowchain_lane_0_6 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_6_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_6_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((lowchain_lane_0_6 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_6_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_6_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((lowchain_lane_0_6 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_6_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_6_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((lowchain_lane_0_6 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_6_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_6_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((lowchain_lane_0_6 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_6_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_6_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (lowchain_lane_0_6 / 2048) = 1 then
+        lowcost_pixels_first_1_6_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_6_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_0_6 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_6_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_6_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((lowchain_lane_0_7 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_7_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_7_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((lowchain_lane_0_7 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_7_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_7_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((lowchain_lane_0_7 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_7_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_7_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (lowchain_lane_0_7 mod 2) = 1 then
+        lowcost_pixels_first_1_7_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_7_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_0_7 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_7_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_7_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((lowchain_lane_0_7 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_7_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_7_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((lowchain_lane_0_7 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_7_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_7_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((lowchain_lane_0_7 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_7_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_7_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((lowchain_lane_0_7 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_7_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_7_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((lowchain_lane_0_7 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_7_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_7_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (lowchain_lane_0_7 / 2048) = 1 then
+        lowcost_pixels_first_1_7_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_7_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_0_7 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_7_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_7_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((lowchain_lane_0_8 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_8_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_8_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((lowchain_lane_0_8 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_8_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_8_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((lowchain_lane_0_8 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_8_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_8_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (lowchain_lane_0_8 mod 2) = 1 then
+        lowcost_pixels_first_1_8_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_8_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_0_8 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_8_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_8_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((lowchain_lane_0_8 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_8_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_8_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((lowchain_lane_0_8 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_8_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_8_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((lowchain_lane_0_8 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_8_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_8_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((lowchain_lane_0_8 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_8_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_8_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((lowchain_lane_0_8 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_8_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_8_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (lowchain_lane_0_8 / 2048) = 1 then
+        lowcost_pixels_first_1_8_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_8_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_0_8 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_8_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_8_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((lowchain_lane_0_9 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_9_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_9_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((lowchain_lane_0_9 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_9_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_9_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((lowchain_lane_0_9 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_9_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_9_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (lowchain_lane_0_9 mod 2) = 1 then
+        lowcost_pixels_first_1_9_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_9_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_0_9 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_9_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_9_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((lowchain_lane_0_9 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_9_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_9_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((lowchain_lane_0_9 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_9_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_9_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((lowchain_lane_0_9 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_9_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_9_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((lowchain_lane_0_9 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_9_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_9_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((lowchain_lane_0_9 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_9_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_9_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (lowchain_lane_0_9 / 2048) = 1 then
+        lowcost_pixels_first_1_9_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_9_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_0_9 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_9_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_9_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((lowchain_lane_0_10 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_10_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_10_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((lowchain_lane_0_10 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_10_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_10_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((lowchain_lane_0_10 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_10_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_10_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (lowchain_lane_0_10 mod 2) = 1 then
+        lowcost_pixels_first_1_10_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_10_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_0_10 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_10_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_10_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((lowchain_lane_0_10 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_10_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_10_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((lowchain_lane_0_10 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_10_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_10_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((lowchain_lane_0_10 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_10_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_10_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((lowchain_lane_0_10 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_10_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_10_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((lowchain_lane_0_10 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_10_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_10_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (lowchain_lane_0_10 / 2048) = 1 then
+        lowcost_pixels_first_1_10_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_10_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_0_10 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_10_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_10_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((lowchain_lane_0_11 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_11_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_11_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((lowchain_lane_0_11 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_11_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_11_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((lowchain_lane_0_11 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_11_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_11_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (lowchain_lane_0_11 mod 2) = 1 then
+        lowcost_pixels_first_1_11_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_11_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_0_11 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_11_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_11_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((lowchain_lane_0_11 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_11_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_11_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((lowchain_lane_0_11 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_11_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_11_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((lowchain_lane_0_11 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_11_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_11_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((lowchain_lane_0_11 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_11_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_11_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((lowchain_lane_0_11 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_11_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_11_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (lowchain_lane_0_11 / 2048) = 1 then
+        lowcost_pixels_first_1_11_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_11_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_0_11 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_11_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_11_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((lowchain_lane_0_12 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_12_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_12_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((lowchain_lane_0_12 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_12_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_12_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((lowchain_lane_0_12 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_12_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_12_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (lowchain_lane_0_12 mod 2) = 1 then
+        lowcost_pixels_first_1_12_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_12_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_0_12 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_12_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_12_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((lowchain_lane_0_12 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_12_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_12_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((lowchain_lane_0_12 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_12_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_12_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((lowchain_lane_0_12 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_12_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_12_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((lowchain_lane_0_12 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_12_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_12_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((lowchain_lane_0_12 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_12_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_12_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (lowchain_lane_0_12 / 2048) = 1 then
+        lowcost_pixels_first_1_12_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_12_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_0_12 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_12_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_12_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((lowchain_lane_0_13 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_13_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_13_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((lowchain_lane_0_13 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_13_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_13_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((lowchain_lane_0_13 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_13_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_13_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (lowchain_lane_0_13 mod 2) = 1 then
+        lowcost_pixels_first_1_13_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_13_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_0_13 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_13_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_13_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((lowchain_lane_0_13 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_13_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_13_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((lowchain_lane_0_13 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_13_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_13_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((lowchain_lane_0_13 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_13_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_13_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((lowchain_lane_0_13 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_13_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_13_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((lowchain_lane_0_13 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_13_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_13_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (lowchain_lane_0_13 / 2048) = 1 then
+        lowcost_pixels_first_1_13_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_13_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_0_13 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_13_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_13_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((lowchain_lane_0_14 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_14_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_14_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((lowchain_lane_0_14 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_14_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_14_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((lowchain_lane_0_14 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_14_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_14_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (lowchain_lane_0_14 mod 2) = 1 then
+        lowcost_pixels_first_1_14_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_14_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_0_14 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_14_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_14_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((lowchain_lane_0_14 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_14_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_14_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((lowchain_lane_0_14 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_14_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_14_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((lowchain_lane_0_14 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_14_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_14_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((lowchain_lane_0_14 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_14_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_14_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((lowchain_lane_0_14 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_14_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_14_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (lowchain_lane_0_14 / 2048) = 1 then
+        lowcost_pixels_first_1_14_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_14_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_0_14 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_14_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_14_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((lowchain_lane_0_15 / 8) mod 2) = 1 then
+        lowcost_pixels_first_1_15_choice := lowcost_pixels_first_1_1_differs;
+      else
+        lowcost_pixels_first_1_15_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((lowchain_lane_0_15 / 32) mod 2) = 1 then
+        lowcost_pixels_first_1_15_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        lowcost_pixels_first_1_15_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((lowchain_lane_0_15 / 16) mod 2) = 1 then
+        lowcost_pixels_first_1_15_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        lowcost_pixels_first_1_15_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (lowchain_lane_0_15 mod 2) = 1 then
+        lowcost_pixels_first_1_15_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        lowcost_pixels_first_1_15_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((lowchain_lane_0_15 / 4) mod 2) = 1 then
+        lowcost_pixels_first_1_15_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        lowcost_pixels_first_1_15_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((lowchain_lane_0_15 / 2) mod 2) = 1 then
+        lowcost_pixels_first_1_15_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        lowcost_pixels_first_1_15_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((lowchain_lane_0_15 / 64) mod 2) = 1 then
+        lowcost_pixels_first_1_15_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        lowcost_pixels_first_1_15_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((lowchain_lane_0_15 / 256) mod 2) = 1 then
+        lowcost_pixels_first_1_15_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        lowcost_pixels_first_1_15_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((lowchain_lane_0_15 / 128) mod 2) = 1 then
+        lowcost_pixels_first_1_15_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        lowcost_pixels_first_1_15_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((lowchain_lane_0_15 / 512) mod 2) = 1 then
+        lowcost_pixels_first_1_15_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        lowcost_pixels_first_1_15_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (lowchain_lane_0_15 / 2048) = 1 then
+        lowcost_pixels_first_1_15_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        lowcost_pixels_first_1_15_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((lowchain_lane_0_15 / 1024) mod 2) = 1 then
+        lowcost_pixels_first_1_15_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        lowcost_pixels_first_1_15_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_0_choice := 0;
+      else
+        lowcost_column_0_0_choice := lowcost_ready_words_0 mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_0_choice_2 := 0;
+      else
+        lowcost_column_0_0_choice_2 := (lowcost_change_0_0 + lowcost_column_0_0_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_1_choice := 0;
+      else
+        lowcost_column_0_1_choice := (lowcost_ready_words_0 / 128) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_1_choice_2 := 0;
+      else
+        lowcost_column_0_1_choice_2 := (lowcost_change_0_1 + lowcost_column_0_1_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_2_choice := 0;
+      else
+        lowcost_column_0_2_choice := (lowcost_ready_words_0 / 16384) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_2_choice_2 := 0;
+      else
+        lowcost_column_0_2_choice_2 := (lowcost_change_0_2 + lowcost_column_0_2_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_3_choice := 0;
+      else
+        lowcost_column_0_3_choice := lowcost_ready_words_0 / 2097152;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_3_choice_2 := 0;
+      else
+        lowcost_column_0_3_choice_2 := (lowcost_change_0_3 + lowcost_column_0_3_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_4_choice := 0;
+      else
+        lowcost_column_0_4_choice := lowcost_ready_words_1 mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_4_choice_2 := 0;
+      else
+        lowcost_column_0_4_choice_2 := (lowcost_change_0_4 + lowcost_column_0_4_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_5_choice := 0;
+      else
+        lowcost_column_0_5_choice := (lowcost_ready_words_1 / 128) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_5_choice_2 := 0;
+      else
+        lowcost_column_0_5_choice_2 := (lowcost_change_0_5 + lowcost_column_0_5_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_6_choice := 0;
+      else
+        lowcost_column_0_6_choice := (lowcost_ready_words_1 / 16384) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_6_choice_2 := 0;
+      else
+        lowcost_column_0_6_choice_2 := (lowcost_change_0_6 + lowcost_column_0_6_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_7_choice := 0;
+      else
+        lowcost_column_0_7_choice := lowcost_ready_words_1 / 2097152;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_7_choice_2 := 0;
+      else
+        lowcost_column_0_7_choice_2 := (lowcost_change_0_7 + lowcost_column_0_7_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_8_choice := 0;
+      else
+        lowcost_column_0_8_choice := lowcost_ready_words_2 mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_8_choice_2 := 0;
+      else
+        lowcost_column_0_8_choice_2 := (lowcost_change_0_8 + lowcost_column_0_8_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_9_choice := 0;
+      else
+        lowcost_column_0_9_choice := (lowcost_ready_words_2 / 128) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_9_choice_2 := 0;
+      else
+        lowcost_column_0_9_choice_2 := (lowcost_change_0_9 + lowcost_column_0_9_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_10_choice := 0;
+      else
+        lowcost_column_0_10_choice := (lowcost_ready_words_2 / 16384) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_10_choice_2 := 0;
+      else
+        lowcost_column_0_10_choice_2 := (lowcost_change_0_10 + lowcost_column_0_10_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_11_choice := 0;
+      else
+        lowcost_column_0_11_choice := lowcost_ready_words_2 / 2097152;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_11_choice_2 := 0;
+      else
+        lowcost_column_0_11_choice_2 := (lowcost_change_0_11 + lowcost_column_0_11_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_12_choice := 0;
+      else
+        lowcost_column_0_12_choice := lowcost_ready_words_3 mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_12_choice_2 := 0;
+      else
+        lowcost_column_0_12_choice_2 := (lowcost_change_0_12 + lowcost_column_0_12_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_13_choice := 0;
+      else
+        lowcost_column_0_13_choice := (lowcost_ready_words_3 / 128) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_13_choice_2 := 0;
+      else
+        lowcost_column_0_13_choice_2 := (lowcost_change_0_13 + lowcost_column_0_13_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_14_choice := 0;
+      else
+        lowcost_column_0_14_choice := (lowcost_ready_words_3 / 16384) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_14_choice_2 := 0;
+      else
+        lowcost_column_0_14_choice_2 := (lowcost_change_0_14 + lowcost_column_0_14_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        lowcost_column_0_15_choice := 0;
+      else
+        lowcost_column_0_15_choice := lowcost_ready_words_3 / 2097152;
+      end if;
+      if lowcost_ready_tag_border_column then
+        lowcost_column_0_15_choice_2 := 0;
+      else
+        lowcost_column_0_15_choice_2 := (lowcost_change_0_15 + lowcost_column_0_15_choice) mod 128;
+      end if;
       lowcost_pixels_first_0_0 <= ((as_number(lowcost_pixels_first_0_0_choice) +
         as_number(lowcost_pixels_first_0_0_choice_2) + as_number(lowcost_pixels_first_0_0_choice_3)) * 4) +
         as_number(lowcost_pixels_first_0_0_choice_4) + as_number(lowcost_pixels_first_0_0_choice_5) +
@@ -6409,7 +9056,11 @@ begin
       lowcost_tag_start_of_frame <= lowcost_ready_tag_start_of_frame;
       lowcost_tag_end_of_line <= lowcost_ready_tag_end_of_line;
       if compared_tags_7_valid then
-        lowcost_read_column <= 0 when compared_tags_7_row_start else (lowcost_read_column + 1) mod 64;
+        if compared_tags_7_row_start then
+          lowcost_read_column <= 0;
+        else
+          lowcost_read_column <= (lowcost_read_column + 1) mod 64;
+        end if;
       end if;
       if lowcost_ready_tag_valid then
         lowcost_write_column <= lowcost_ready_column;
@@ -6424,9 +9075,12 @@ begin
       end if;
       -- lowwindow
       if lowcost_tag_valid then
-        lowwindow_ring_read_address <= 0 when lowwindow_ring_read_address = 5 else (lowwindow_ring_read_address + 1)
-          mod 8;
         lowwindow_ring_write_address <= lowwindow_ring_read_address;
+        if lowwindow_ring_read_address = 5 then
+          lowwindow_ring_read_address <= 0;
+        else
+          lowwindow_ring_read_address <= (lowwindow_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if lowwindow_entering_tag_leaves_window then
         lowwindow_change_0_0_choice := to_integer(lowwindow_leaving_0(6 downto 0));
@@ -6555,22 +9209,86 @@ begin
       lowwindow_tag_output_column <= lowwindow_centre_output_column_1;
       lowwindow_tag_start_of_frame <= lowwindow_centre_start_of_frame_1;
       lowwindow_tag_end_of_line <= lowwindow_centre_end_of_line_1;
-      lowwindow_sum_0_0_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_0;
-      lowwindow_sum_0_1_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_1;
-      lowwindow_sum_0_2_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_2;
-      lowwindow_sum_0_3_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_3;
-      lowwindow_sum_0_4_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_4;
-      lowwindow_sum_0_5_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_5;
-      lowwindow_sum_0_6_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_6;
-      lowwindow_sum_0_7_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_7;
-      lowwindow_sum_0_8_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_8;
-      lowwindow_sum_0_9_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_9;
-      lowwindow_sum_0_10_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_10;
-      lowwindow_sum_0_11_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_11;
-      lowwindow_sum_0_12_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_12;
-      lowwindow_sum_0_13_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_13;
-      lowwindow_sum_0_14_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_14;
-      lowwindow_sum_0_15_choice := 0 when lowwindow_change_tag_first_cost else lowwindow_sum_0_15;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_0_choice := 0;
+      else
+        lowwindow_sum_0_0_choice := lowwindow_sum_0_0;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_1_choice := 0;
+      else
+        lowwindow_sum_0_1_choice := lowwindow_sum_0_1;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_2_choice := 0;
+      else
+        lowwindow_sum_0_2_choice := lowwindow_sum_0_2;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_3_choice := 0;
+      else
+        lowwindow_sum_0_3_choice := lowwindow_sum_0_3;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_4_choice := 0;
+      else
+        lowwindow_sum_0_4_choice := lowwindow_sum_0_4;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_5_choice := 0;
+      else
+        lowwindow_sum_0_5_choice := lowwindow_sum_0_5;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_6_choice := 0;
+      else
+        lowwindow_sum_0_6_choice := lowwindow_sum_0_6;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_7_choice := 0;
+      else
+        lowwindow_sum_0_7_choice := lowwindow_sum_0_7;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_8_choice := 0;
+      else
+        lowwindow_sum_0_8_choice := lowwindow_sum_0_8;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_9_choice := 0;
+      else
+        lowwindow_sum_0_9_choice := lowwindow_sum_0_9;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_10_choice := 0;
+      else
+        lowwindow_sum_0_10_choice := lowwindow_sum_0_10;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_11_choice := 0;
+      else
+        lowwindow_sum_0_11_choice := lowwindow_sum_0_11;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_12_choice := 0;
+      else
+        lowwindow_sum_0_12_choice := lowwindow_sum_0_12;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_13_choice := 0;
+      else
+        lowwindow_sum_0_13_choice := lowwindow_sum_0_13;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_14_choice := 0;
+      else
+        lowwindow_sum_0_14_choice := lowwindow_sum_0_14;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        lowwindow_sum_0_15_choice := 0;
+      else
+        lowwindow_sum_0_15_choice := lowwindow_sum_0_15;
+      end if;
       if lowwindow_change_tag_valid then
         lowwindow_sum_0_0 <= (lowwindow_sum_0_0_choice + lowwindow_change_0_0) mod 512;
         lowwindow_sum_0_1 <= (lowwindow_sum_0_1_choice + lowwindow_change_0_1) mod 512;
@@ -6616,58 +9334,11 @@ begin
       lowwinner1_of_four_0_12_is_less := (to_integer(((to_unsigned(lowwinner1_of_pair_0_14, 9)) or
         (to_unsigned(lowwinner1_of_pair_0_15, 9)))) - to_integer(((to_unsigned(lowwinner1_of_pair_0_12, 9)) or
         (to_unsigned(lowwinner1_of_pair_0_13, 9))))) < 0;
-      lowwinner1_of_pair_0_0 <= 0 when lowwinner1_of_pair_0_0_is_less else lowwindow_sum_0_0;
-      lowwinner1_of_pair_0_1 <= lowwindow_sum_0_1 when lowwinner1_of_pair_0_0_is_less else 0;
-      lowwinner1_of_pair_0_2 <= 0 when lowwinner1_of_pair_0_2_is_less else lowwindow_sum_0_2;
-      lowwinner1_of_pair_0_3 <= lowwindow_sum_0_3 when lowwinner1_of_pair_0_2_is_less else 0;
-      lowwinner1_of_pair_0_4 <= 0 when lowwinner1_of_pair_0_4_is_less else lowwindow_sum_0_4;
-      lowwinner1_of_pair_0_5 <= lowwindow_sum_0_5 when lowwinner1_of_pair_0_4_is_less else 0;
-      lowwinner1_of_pair_0_6 <= 0 when lowwinner1_of_pair_0_6_is_less else lowwindow_sum_0_6;
-      lowwinner1_of_pair_0_7 <= lowwindow_sum_0_7 when lowwinner1_of_pair_0_6_is_less else 0;
-      lowwinner1_of_pair_0_8 <= 0 when lowwinner1_of_pair_0_8_is_less else lowwindow_sum_0_8;
-      lowwinner1_of_pair_0_9 <= lowwindow_sum_0_9 when lowwinner1_of_pair_0_8_is_less else 0;
-      lowwinner1_of_pair_0_10 <= 0 when lowwinner1_of_pair_0_10_is_less else lowwindow_sum_0_10;
-      lowwinner1_of_pair_0_11 <= lowwindow_sum_0_11 when lowwinner1_of_pair_0_10_is_less else 0;
-      lowwinner1_of_pair_0_12 <= 0 when lowwinner1_of_pair_0_12_is_less else lowwindow_sum_0_12;
-      lowwinner1_of_pair_0_13 <= lowwindow_sum_0_13 when lowwinner1_of_pair_0_12_is_less else 0;
-      lowwinner1_of_pair_0_14 <= 0 when lowwinner1_of_pair_0_14_is_less else lowwindow_sum_0_14;
-      lowwinner1_of_pair_0_15 <= lowwindow_sum_0_15 when lowwinner1_of_pair_0_14_is_less else 0;
       lowwinner1_pair_index_0_0 <= lowwinner1_of_pair_0_0_is_less;
-      lowwinner1_pair_index_0_1 <= 3 when lowwinner1_of_pair_0_2_is_less else 2;
-      lowwinner1_pair_index_0_2 <= 5 when lowwinner1_of_pair_0_4_is_less else 4;
-      lowwinner1_pair_index_0_3 <= 7 when lowwinner1_of_pair_0_6_is_less else 6;
-      lowwinner1_pair_index_0_4 <= 9 when lowwinner1_of_pair_0_8_is_less else 8;
-      lowwinner1_pair_index_0_5 <= 11 when lowwinner1_of_pair_0_10_is_less else 10;
-      lowwinner1_pair_index_0_6 <= 13 when lowwinner1_of_pair_0_12_is_less else 12;
-      lowwinner1_pair_index_0_7 <= 15 when lowwinner1_of_pair_0_14_is_less else 14;
       lowwinner1_pair_tag_valid <= lowwindow_tag_valid;
       lowwinner1_pair_tag_output_column <= lowwindow_tag_output_column;
       lowwinner1_pair_tag_start_of_frame <= lowwindow_tag_start_of_frame;
       lowwinner1_pair_tag_end_of_line <= lowwindow_tag_end_of_line;
-      lowwinner1_of_four_0_0 <= 0 when lowwinner1_of_four_0_0_is_less else lowwinner1_of_pair_0_0;
-      lowwinner1_of_four_0_1 <= 0 when lowwinner1_of_four_0_0_is_less else lowwinner1_of_pair_0_1;
-      lowwinner1_of_four_0_2 <= lowwinner1_of_pair_0_2 when lowwinner1_of_four_0_0_is_less else 0;
-      lowwinner1_of_four_0_3 <= lowwinner1_of_pair_0_3 when lowwinner1_of_four_0_0_is_less else 0;
-      lowwinner1_of_four_0_4 <= 0 when lowwinner1_of_four_0_4_is_less else lowwinner1_of_pair_0_4;
-      lowwinner1_of_four_0_5 <= 0 when lowwinner1_of_four_0_4_is_less else lowwinner1_of_pair_0_5;
-      lowwinner1_of_four_0_6 <= lowwinner1_of_pair_0_6 when lowwinner1_of_four_0_4_is_less else 0;
-      lowwinner1_of_four_0_7 <= lowwinner1_of_pair_0_7 when lowwinner1_of_four_0_4_is_less else 0;
-      lowwinner1_of_four_0_8 <= 0 when lowwinner1_of_four_0_8_is_less else lowwinner1_of_pair_0_8;
-      lowwinner1_of_four_0_9 <= 0 when lowwinner1_of_four_0_8_is_less else lowwinner1_of_pair_0_9;
-      lowwinner1_of_four_0_10 <= lowwinner1_of_pair_0_10 when lowwinner1_of_four_0_8_is_less else 0;
-      lowwinner1_of_four_0_11 <= lowwinner1_of_pair_0_11 when lowwinner1_of_four_0_8_is_less else 0;
-      lowwinner1_of_four_0_12 <= 0 when lowwinner1_of_four_0_12_is_less else lowwinner1_of_pair_0_12;
-      lowwinner1_of_four_0_13 <= 0 when lowwinner1_of_four_0_12_is_less else lowwinner1_of_pair_0_13;
-      lowwinner1_of_four_0_14 <= lowwinner1_of_pair_0_14 when lowwinner1_of_four_0_12_is_less else 0;
-      lowwinner1_of_four_0_15 <= lowwinner1_of_pair_0_15 when lowwinner1_of_four_0_12_is_less else 0;
-      lowwinner1_four_index_0_0 <= lowwinner1_pair_index_0_1 when lowwinner1_of_four_0_0_is_less else
-        as_number(lowwinner1_pair_index_0_0);
-      lowwinner1_four_index_0_1 <= lowwinner1_pair_index_0_3 when lowwinner1_of_four_0_4_is_less else
-        lowwinner1_pair_index_0_2;
-      lowwinner1_four_index_0_2 <= lowwinner1_pair_index_0_5 when lowwinner1_of_four_0_8_is_less else
-        lowwinner1_pair_index_0_4;
-      lowwinner1_four_index_0_3 <= lowwinner1_pair_index_0_7 when lowwinner1_of_four_0_12_is_less else
-        lowwinner1_pair_index_0_6;
       lowwinner1_four_tag_valid <= lowwinner1_pair_tag_valid;
       lowwinner1_four_tag_output_column <= lowwinner1_pair_tag_output_column;
       lowwinner1_four_tag_start_of_frame <= lowwinner1_pair_tag_start_of_frame;
@@ -6692,30 +9363,138 @@ begin
       lowwinner1_tag_output_column <= lowwinner1_four_tag_output_column;
       lowwinner1_tag_start_of_frame <= lowwinner1_four_tag_start_of_frame;
       lowwinner1_tag_end_of_line <= lowwinner1_four_tag_end_of_line;
+      if lowwinner1_of_pair_0_0_is_less then
+        lowwinner1_of_pair_0_0 <= 0;
+        lowwinner1_of_pair_0_1 <= lowwindow_sum_0_1;
+      else
+        lowwinner1_of_pair_0_0 <= lowwindow_sum_0_0;
+        lowwinner1_of_pair_0_1 <= 0;
+      end if;
+      if lowwinner1_of_pair_0_2_is_less then
+        lowwinner1_of_pair_0_2 <= 0;
+        lowwinner1_of_pair_0_3 <= lowwindow_sum_0_3;
+        lowwinner1_pair_index_0_1 <= 3;
+      else
+        lowwinner1_of_pair_0_2 <= lowwindow_sum_0_2;
+        lowwinner1_of_pair_0_3 <= 0;
+        lowwinner1_pair_index_0_1 <= 2;
+      end if;
+      if lowwinner1_of_pair_0_4_is_less then
+        lowwinner1_of_pair_0_4 <= 0;
+        lowwinner1_of_pair_0_5 <= lowwindow_sum_0_5;
+        lowwinner1_pair_index_0_2 <= 5;
+      else
+        lowwinner1_of_pair_0_4 <= lowwindow_sum_0_4;
+        lowwinner1_of_pair_0_5 <= 0;
+        lowwinner1_pair_index_0_2 <= 4;
+      end if;
+      if lowwinner1_of_pair_0_6_is_less then
+        lowwinner1_of_pair_0_6 <= 0;
+        lowwinner1_of_pair_0_7 <= lowwindow_sum_0_7;
+        lowwinner1_pair_index_0_3 <= 7;
+      else
+        lowwinner1_of_pair_0_6 <= lowwindow_sum_0_6;
+        lowwinner1_of_pair_0_7 <= 0;
+        lowwinner1_pair_index_0_3 <= 6;
+      end if;
+      if lowwinner1_of_pair_0_8_is_less then
+        lowwinner1_of_pair_0_8 <= 0;
+        lowwinner1_of_pair_0_9 <= lowwindow_sum_0_9;
+        lowwinner1_pair_index_0_4 <= 9;
+      else
+        lowwinner1_of_pair_0_8 <= lowwindow_sum_0_8;
+        lowwinner1_of_pair_0_9 <= 0;
+        lowwinner1_pair_index_0_4 <= 8;
+      end if;
+      if lowwinner1_of_pair_0_10_is_less then
+        lowwinner1_of_pair_0_10 <= 0;
+        lowwinner1_of_pair_0_11 <= lowwindow_sum_0_11;
+        lowwinner1_pair_index_0_5 <= 11;
+      else
+        lowwinner1_of_pair_0_10 <= lowwindow_sum_0_10;
+        lowwinner1_of_pair_0_11 <= 0;
+        lowwinner1_pair_index_0_5 <= 10;
+      end if;
+      if lowwinner1_of_pair_0_12_is_less then
+        lowwinner1_of_pair_0_12 <= 0;
+        lowwinner1_of_pair_0_13 <= lowwindow_sum_0_13;
+        lowwinner1_pair_index_0_6 <= 13;
+      else
+        lowwinner1_of_pair_0_12 <= lowwindow_sum_0_12;
+        lowwinner1_of_pair_0_13 <= 0;
+        lowwinner1_pair_index_0_6 <= 12;
+      end if;
+      if lowwinner1_of_pair_0_14_is_less then
+        lowwinner1_of_pair_0_14 <= 0;
+        lowwinner1_of_pair_0_15 <= lowwindow_sum_0_15;
+        lowwinner1_pair_index_0_7 <= 15;
+      else
+        lowwinner1_of_pair_0_14 <= lowwindow_sum_0_14;
+        lowwinner1_of_pair_0_15 <= 0;
+        lowwinner1_pair_index_0_7 <= 14;
+      end if;
+      if lowwinner1_of_four_0_0_is_less then
+        lowwinner1_of_four_0_0 <= 0;
+        lowwinner1_of_four_0_1 <= 0;
+        lowwinner1_of_four_0_2 <= lowwinner1_of_pair_0_2;
+        lowwinner1_of_four_0_3 <= lowwinner1_of_pair_0_3;
+        lowwinner1_four_index_0_0 <= lowwinner1_pair_index_0_1;
+      else
+        lowwinner1_of_four_0_0 <= lowwinner1_of_pair_0_0;
+        lowwinner1_of_four_0_1 <= lowwinner1_of_pair_0_1;
+        lowwinner1_of_four_0_2 <= 0;
+        lowwinner1_of_four_0_3 <= 0;
+        lowwinner1_four_index_0_0 <= as_number(lowwinner1_pair_index_0_0);
+      end if;
+      if lowwinner1_of_four_0_4_is_less then
+        lowwinner1_of_four_0_4 <= 0;
+        lowwinner1_of_four_0_5 <= 0;
+        lowwinner1_of_four_0_6 <= lowwinner1_of_pair_0_6;
+        lowwinner1_of_four_0_7 <= lowwinner1_of_pair_0_7;
+        lowwinner1_four_index_0_1 <= lowwinner1_pair_index_0_3;
+      else
+        lowwinner1_of_four_0_4 <= lowwinner1_of_pair_0_4;
+        lowwinner1_of_four_0_5 <= lowwinner1_of_pair_0_5;
+        lowwinner1_of_four_0_6 <= 0;
+        lowwinner1_of_four_0_7 <= 0;
+        lowwinner1_four_index_0_1 <= lowwinner1_pair_index_0_2;
+      end if;
+      if lowwinner1_of_four_0_8_is_less then
+        lowwinner1_of_four_0_8 <= 0;
+        lowwinner1_of_four_0_9 <= 0;
+        lowwinner1_of_four_0_10 <= lowwinner1_of_pair_0_10;
+        lowwinner1_of_four_0_11 <= lowwinner1_of_pair_0_11;
+        lowwinner1_four_index_0_2 <= lowwinner1_pair_index_0_5;
+      else
+        lowwinner1_of_four_0_8 <= lowwinner1_of_pair_0_8;
+        lowwinner1_of_four_0_9 <= lowwinner1_of_pair_0_9;
+        lowwinner1_of_four_0_10 <= 0;
+        lowwinner1_of_four_0_11 <= 0;
+        lowwinner1_four_index_0_2 <= lowwinner1_pair_index_0_4;
+      end if;
+      if lowwinner1_of_four_0_12_is_less then
+        lowwinner1_of_four_0_12 <= 0;
+        lowwinner1_of_four_0_13 <= 0;
+        lowwinner1_of_four_0_14 <= lowwinner1_of_pair_0_14;
+        lowwinner1_of_four_0_15 <= lowwinner1_of_pair_0_15;
+        lowwinner1_four_index_0_3 <= lowwinner1_pair_index_0_7;
+      else
+        lowwinner1_of_four_0_12 <= lowwinner1_of_pair_0_12;
+        lowwinner1_of_four_0_13 <= lowwinner1_of_pair_0_13;
+        lowwinner1_of_four_0_14 <= 0;
+        lowwinner1_of_four_0_15 <= 0;
+        lowwinner1_four_index_0_3 <= lowwinner1_pair_index_0_6;
+      end if;
       -- lowwinner2
       lowwinner2_of_pair_0_0_is_less := (lowwinner1_best_cost_0_1 - lowwinner1_best_cost_0_0) < 0;
       lowwinner2_of_pair_0_2_is_less := (lowwinner1_best_cost_0_3 - lowwinner1_best_cost_0_2) < 0;
       lowwinner2_of_four_0_0_is_less := (to_integer(((to_unsigned(lowwinner2_of_pair_0_2, 9)) or
         (to_unsigned(lowwinner2_of_pair_0_3, 9)))) - to_integer(((to_unsigned(lowwinner2_of_pair_0_0, 9)) or
         (to_unsigned(lowwinner2_of_pair_0_1, 9))))) < 0;
-      lowwinner2_of_pair_0_0 <= 0 when lowwinner2_of_pair_0_0_is_less else lowwinner1_best_cost_0_0;
-      lowwinner2_of_pair_0_1 <= lowwinner1_best_cost_0_1 when lowwinner2_of_pair_0_0_is_less else 0;
-      lowwinner2_of_pair_0_2 <= 0 when lowwinner2_of_pair_0_2_is_less else lowwinner1_best_cost_0_2;
-      lowwinner2_of_pair_0_3 <= lowwinner1_best_cost_0_3 when lowwinner2_of_pair_0_2_is_less else 0;
-      lowwinner2_pair_index_0_0 <= lowwinner1_best_index_0_1 when lowwinner2_of_pair_0_0_is_less else
-        lowwinner1_best_index_0_0;
-      lowwinner2_pair_index_0_1 <= lowwinner1_best_index_0_3 when lowwinner2_of_pair_0_2_is_less else
-        lowwinner1_best_index_0_2;
       lowwinner2_pair_tag_valid <= lowwinner1_tag_valid;
       lowwinner2_pair_tag_output_column <= lowwinner1_tag_output_column;
       lowwinner2_pair_tag_start_of_frame <= lowwinner1_tag_start_of_frame;
       lowwinner2_pair_tag_end_of_line <= lowwinner1_tag_end_of_line;
-      lowwinner2_of_four_0_0 <= 0 when lowwinner2_of_four_0_0_is_less else lowwinner2_of_pair_0_0;
-      lowwinner2_of_four_0_1 <= 0 when lowwinner2_of_four_0_0_is_less else lowwinner2_of_pair_0_1;
-      lowwinner2_of_four_0_2 <= lowwinner2_of_pair_0_2 when lowwinner2_of_four_0_0_is_less else 0;
-      lowwinner2_of_four_0_3 <= lowwinner2_of_pair_0_3 when lowwinner2_of_four_0_0_is_less else 0;
-      lowwinner2_four_index_0_0 <= lowwinner2_pair_index_0_1 when lowwinner2_of_four_0_0_is_less else
-        lowwinner2_pair_index_0_0;
       lowwinner2_four_tag_valid <= lowwinner2_pair_tag_valid;
       lowwinner2_four_tag_output_column <= lowwinner2_pair_tag_output_column;
       lowwinner2_four_tag_start_of_frame <= lowwinner2_pair_tag_start_of_frame;
@@ -6728,864 +9507,2203 @@ begin
       lowwinner2_tag_output_column <= lowwinner2_four_tag_output_column;
       lowwinner2_tag_start_of_frame <= lowwinner2_four_tag_start_of_frame;
       lowwinner2_tag_end_of_line <= lowwinner2_four_tag_end_of_line;
-      -- highchain
-      highchain_lane_0_0_choice := compared_tags_6_valid when rows_step_one_1_0 else rows_step_four_1_0 and
-        compared_tags_6_valid;
-      if highchain_lane_0_0_choice then
-        highchain_lane_0_0 <= highchain_lane_0_4 when rows_step_four_1_0 else highchain_lane_0_1;
-        highchain_lane_0_1 <= highchain_lane_0_5 when rows_step_four_1_0 else highchain_lane_0_2;
-        highchain_lane_0_2 <= highchain_lane_0_6 when rows_step_four_1_0 else highchain_lane_0_3;
-        highchain_lane_0_3 <= highchain_lane_0_7 when rows_step_four_1_0 else highchain_lane_0_4;
-        highchain_lane_0_4 <= highchain_lane_0_8 when rows_step_four_1_0 else highchain_lane_0_5;
-        highchain_lane_0_5 <= highchain_lane_0_9 when rows_step_four_1_0 else highchain_lane_0_6;
-        highchain_lane_0_6 <= highchain_lane_0_10 when rows_step_four_1_0 else highchain_lane_0_7;
-        highchain_lane_0_7 <= highchain_lane_0_11 when rows_step_four_1_0 else highchain_lane_0_8;
-        highchain_lane_0_8 <= highchain_lane_0_12 when rows_step_four_1_0 else highchain_lane_0_9;
-        highchain_lane_0_9 <= highchain_lane_0_13 when rows_step_four_1_0 else highchain_lane_0_10;
-        highchain_lane_0_10 <= highchain_lane_0_14 when rows_step_four_1_0 else highchain_lane_0_11;
-        highchain_lane_0_11 <= highchain_lane_0_15 when rows_step_four_1_0 else highchain_lane_0_12;
-        highchain_lane_0_12 <= rows_codes_1_0_0 when rows_step_four_1_0 else highchain_lane_0_13;
-        highchain_lane_0_13 <= rows_codes_1_0_1 when rows_step_four_1_0 else highchain_lane_0_14;
-        highchain_lane_0_14 <= rows_codes_1_0_2 when rows_step_four_1_0 else highchain_lane_0_15;
-        highchain_lane_0_15 <= rows_codes_1_0_3 when rows_step_four_1_0 else rows_codes_1_0_0;
+      if lowwinner2_of_pair_0_0_is_less then
+        lowwinner2_of_pair_0_0 <= 0;
+        lowwinner2_of_pair_0_1 <= lowwinner1_best_cost_0_1;
+        lowwinner2_pair_index_0_0 <= lowwinner1_best_index_0_1;
+      else
+        lowwinner2_of_pair_0_0 <= lowwinner1_best_cost_0_0;
+        lowwinner2_of_pair_0_1 <= 0;
+        lowwinner2_pair_index_0_0 <= lowwinner1_best_index_0_0;
       end if;
-      highchain_lane_1_0_choice := compared_tags_6_valid when rows_step_one_1_1 else rows_step_four_1_1 and
-        compared_tags_6_valid;
+      if lowwinner2_of_pair_0_2_is_less then
+        lowwinner2_of_pair_0_2 <= 0;
+        lowwinner2_of_pair_0_3 <= lowwinner1_best_cost_0_3;
+        lowwinner2_pair_index_0_1 <= lowwinner1_best_index_0_3;
+      else
+        lowwinner2_of_pair_0_2 <= lowwinner1_best_cost_0_2;
+        lowwinner2_of_pair_0_3 <= 0;
+        lowwinner2_pair_index_0_1 <= lowwinner1_best_index_0_2;
+      end if;
+      if lowwinner2_of_four_0_0_is_less then
+        lowwinner2_of_four_0_0 <= 0;
+        lowwinner2_of_four_0_1 <= 0;
+        lowwinner2_of_four_0_2 <= lowwinner2_of_pair_0_2;
+        lowwinner2_of_four_0_3 <= lowwinner2_of_pair_0_3;
+        lowwinner2_four_index_0_0 <= lowwinner2_pair_index_0_1;
+      else
+        lowwinner2_of_four_0_0 <= lowwinner2_of_pair_0_0;
+        lowwinner2_of_four_0_1 <= lowwinner2_of_pair_0_1;
+        lowwinner2_of_four_0_2 <= 0;
+        lowwinner2_of_four_0_3 <= 0;
+        lowwinner2_four_index_0_0 <= lowwinner2_pair_index_0_0;
+      end if;
+      -- highchain
+      if rows_step_one_1_0 then
+        highchain_lane_0_0_choice := compared_tags_6_valid;
+      else
+        highchain_lane_0_0_choice := rows_step_four_1_0 and compared_tags_6_valid;
+      end if;
+      if highchain_lane_0_0_choice then
+        if rows_step_four_1_0 then
+          highchain_lane_0_0 <= highchain_lane_0_4;
+          highchain_lane_0_1 <= highchain_lane_0_5;
+          highchain_lane_0_2 <= highchain_lane_0_6;
+          highchain_lane_0_3 <= highchain_lane_0_7;
+          highchain_lane_0_4 <= highchain_lane_0_8;
+          highchain_lane_0_5 <= highchain_lane_0_9;
+          highchain_lane_0_6 <= highchain_lane_0_10;
+          highchain_lane_0_7 <= highchain_lane_0_11;
+          highchain_lane_0_8 <= highchain_lane_0_12;
+          highchain_lane_0_9 <= highchain_lane_0_13;
+          highchain_lane_0_10 <= highchain_lane_0_14;
+          highchain_lane_0_11 <= highchain_lane_0_15;
+          highchain_lane_0_12 <= rows_codes_1_0_0;
+          highchain_lane_0_13 <= rows_codes_1_0_1;
+          highchain_lane_0_14 <= rows_codes_1_0_2;
+          highchain_lane_0_15 <= rows_codes_1_0_3;
+        else
+          highchain_lane_0_0 <= highchain_lane_0_1;
+          highchain_lane_0_1 <= highchain_lane_0_2;
+          highchain_lane_0_2 <= highchain_lane_0_3;
+          highchain_lane_0_3 <= highchain_lane_0_4;
+          highchain_lane_0_4 <= highchain_lane_0_5;
+          highchain_lane_0_5 <= highchain_lane_0_6;
+          highchain_lane_0_6 <= highchain_lane_0_7;
+          highchain_lane_0_7 <= highchain_lane_0_8;
+          highchain_lane_0_8 <= highchain_lane_0_9;
+          highchain_lane_0_9 <= highchain_lane_0_10;
+          highchain_lane_0_10 <= highchain_lane_0_11;
+          highchain_lane_0_11 <= highchain_lane_0_12;
+          highchain_lane_0_12 <= highchain_lane_0_13;
+          highchain_lane_0_13 <= highchain_lane_0_14;
+          highchain_lane_0_14 <= highchain_lane_0_15;
+          highchain_lane_0_15 <= rows_codes_1_0_0;
+        end if;
+      end if;
+      if rows_step_one_1_1 then
+        highchain_lane_1_0_choice := compared_tags_6_valid;
+      else
+        highchain_lane_1_0_choice := rows_step_four_1_1 and compared_tags_6_valid;
+      end if;
       if highchain_lane_1_0_choice then
-        highchain_lane_1_0 <= highchain_lane_1_4 when rows_step_four_1_1 else highchain_lane_1_1;
-        highchain_lane_1_1 <= highchain_lane_1_5 when rows_step_four_1_1 else highchain_lane_1_2;
-        highchain_lane_1_2 <= highchain_lane_1_6 when rows_step_four_1_1 else highchain_lane_1_3;
-        highchain_lane_1_3 <= highchain_lane_1_7 when rows_step_four_1_1 else highchain_lane_1_4;
-        highchain_lane_1_4 <= highchain_lane_1_8 when rows_step_four_1_1 else highchain_lane_1_5;
-        highchain_lane_1_5 <= highchain_lane_1_9 when rows_step_four_1_1 else highchain_lane_1_6;
-        highchain_lane_1_6 <= highchain_lane_1_10 when rows_step_four_1_1 else highchain_lane_1_7;
-        highchain_lane_1_7 <= highchain_lane_1_11 when rows_step_four_1_1 else highchain_lane_1_8;
-        highchain_lane_1_8 <= highchain_lane_1_12 when rows_step_four_1_1 else highchain_lane_1_9;
-        highchain_lane_1_9 <= highchain_lane_1_13 when rows_step_four_1_1 else highchain_lane_1_10;
-        highchain_lane_1_10 <= highchain_lane_1_14 when rows_step_four_1_1 else highchain_lane_1_11;
-        highchain_lane_1_11 <= highchain_lane_1_15 when rows_step_four_1_1 else highchain_lane_1_12;
-        highchain_lane_1_12 <= rows_codes_1_1_0 when rows_step_four_1_1 else highchain_lane_1_13;
-        highchain_lane_1_13 <= rows_codes_1_1_1 when rows_step_four_1_1 else highchain_lane_1_14;
-        highchain_lane_1_14 <= rows_codes_1_1_2 when rows_step_four_1_1 else highchain_lane_1_15;
-        highchain_lane_1_15 <= rows_codes_1_1_3 when rows_step_four_1_1 else rows_codes_1_1_0;
+        if rows_step_four_1_1 then
+          highchain_lane_1_0 <= highchain_lane_1_4;
+          highchain_lane_1_1 <= highchain_lane_1_5;
+          highchain_lane_1_2 <= highchain_lane_1_6;
+          highchain_lane_1_3 <= highchain_lane_1_7;
+          highchain_lane_1_4 <= highchain_lane_1_8;
+          highchain_lane_1_5 <= highchain_lane_1_9;
+          highchain_lane_1_6 <= highchain_lane_1_10;
+          highchain_lane_1_7 <= highchain_lane_1_11;
+          highchain_lane_1_8 <= highchain_lane_1_12;
+          highchain_lane_1_9 <= highchain_lane_1_13;
+          highchain_lane_1_10 <= highchain_lane_1_14;
+          highchain_lane_1_11 <= highchain_lane_1_15;
+          highchain_lane_1_12 <= rows_codes_1_1_0;
+          highchain_lane_1_13 <= rows_codes_1_1_1;
+          highchain_lane_1_14 <= rows_codes_1_1_2;
+          highchain_lane_1_15 <= rows_codes_1_1_3;
+        else
+          highchain_lane_1_0 <= highchain_lane_1_1;
+          highchain_lane_1_1 <= highchain_lane_1_2;
+          highchain_lane_1_2 <= highchain_lane_1_3;
+          highchain_lane_1_3 <= highchain_lane_1_4;
+          highchain_lane_1_4 <= highchain_lane_1_5;
+          highchain_lane_1_5 <= highchain_lane_1_6;
+          highchain_lane_1_6 <= highchain_lane_1_7;
+          highchain_lane_1_7 <= highchain_lane_1_8;
+          highchain_lane_1_8 <= highchain_lane_1_9;
+          highchain_lane_1_9 <= highchain_lane_1_10;
+          highchain_lane_1_10 <= highchain_lane_1_11;
+          highchain_lane_1_11 <= highchain_lane_1_12;
+          highchain_lane_1_12 <= highchain_lane_1_13;
+          highchain_lane_1_13 <= highchain_lane_1_14;
+          highchain_lane_1_14 <= highchain_lane_1_15;
+          highchain_lane_1_15 <= rows_codes_1_1_0;
+        end if;
       end if;
       -- highcost
-      highcost_pixels_first_0_0_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_0 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_0_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_0 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_0_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_0 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_0_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_0 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_0_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_0 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_0_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_0 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_0_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_0 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_0_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_0 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_0_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_0 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_0_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_0 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_0_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_0 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_0_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_0 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_1_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_1 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_1_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_1 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_1_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_1 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_1_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_1 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_1_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_1 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_1_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_1 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_1_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_1 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_1_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_1 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_1_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_1 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_1_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_1 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_1_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_1 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_1_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_1 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_2_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_2 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_2_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_2 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_2_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_2 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_2_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_2 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_2_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_2 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_2_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_2 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_2_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_2 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_2_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_2 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_2_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_2 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_2_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_2 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_2_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_2 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_2_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_2 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_3_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_3 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_3_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_3 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_3_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_3 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_3_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_3 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_3_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_3 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_3_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_3 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_3_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_3 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_3_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_3 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_3_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_3 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_3_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_3 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_3_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_3 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_3_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_3 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_4_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_4 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_4_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_4 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_4_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_4 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_4_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_4 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_4_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_4 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_4_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_4 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_4_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_4 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_4_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_4 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_4_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_4 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_4_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_4 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_4_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_4 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_4_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_4 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_5_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_5 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_5_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_5 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_5_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_5 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_5_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_5 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_5_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_5 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_5_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_5 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_5_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_5 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_5_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_5 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_5_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_5 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_5_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_5 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_5_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_5 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_5_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_5 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_6_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_6 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_6_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_6 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_6_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_6 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_6_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_6 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_6_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_6 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_6_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_6 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_6_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_6 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_6_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_6 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_6_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_6 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_6_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_6 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_6_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_6 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_6_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_6 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_7_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_7 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_7_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_7 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_7_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_7 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_7_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_7 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_7_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_7 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_7_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_7 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_7_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_7 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_7_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_7 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_7_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_7 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_7_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_7 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_7_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_7 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_7_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_7 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_8_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_8 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_8_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_8 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_8_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_8 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_8_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_8 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_8_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_8 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_8_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_8 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_8_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_8 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_8_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_8 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_8_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_8 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_8_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_8 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_8_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_8 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_8_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_8 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_9_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_9 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_9_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_9 / 32) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_9_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_9 / 16) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_9_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_9 mod 2) = 1 else
-        (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_9_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_9 / 4) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_9_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_9 / 2) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_9_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_9 / 64) mod 2) =
-        1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_9_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_9 / 256) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_9_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_9 / 128) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_9_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_9 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_9_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_9 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_9_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_9 / 1024) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_10_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_10 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_10_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_10 / 32) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_10_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_10 / 16) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_10_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_10 mod 2) = 1
-        else (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_10_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_10 / 4) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_10_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_10 / 2) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_10_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_10 / 64) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_10_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_10 / 256) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_10_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_10 / 128) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_10_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_10 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_10_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_10 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_10_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_10 / 1024)
-        mod 2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_11_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_11 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_11_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_11 / 32) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_11_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_11 / 16) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_11_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_11 mod 2) = 1
-        else (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_11_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_11 / 4) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_11_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_11 / 2) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_11_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_11 / 64) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_11_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_11 / 256) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_11_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_11 / 128) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_11_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_11 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_11_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_11 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_11_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_11 / 1024)
-        mod 2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_12_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_12 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_12_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_12 / 32) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_12_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_12 / 16) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_12_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_12 mod 2) = 1
-        else (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_12_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_12 / 4) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_12_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_12 / 2) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_12_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_12 / 64) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_12_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_12 / 256) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_12_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_12 / 128) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_12_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_12 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_12_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_12 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_12_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_12 / 1024)
-        mod 2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_13_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_13 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_13_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_13 / 32) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_13_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_13 / 16) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_13_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_13 mod 2) = 1
-        else (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_13_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_13 / 4) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_13_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_13 / 2) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_13_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_13 / 64) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_13_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_13 / 256) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_13_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_13 / 128) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_13_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_13 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_13_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_13 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_13_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_13 / 1024)
-        mod 2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_14_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_14 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_14_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_14 / 32) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_14_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_14 / 16) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_14_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_14 mod 2) = 1
-        else (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_14_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_14 / 4) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_14_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_14 / 2) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_14_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_14 / 64) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_14_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_14 / 256) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_14_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_14 / 128) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_14_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_14 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_14_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_14 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_14_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_14 / 1024)
-        mod 2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_0_15_choice := lowcost_pixels_first_0_1_differs when ((highchain_lane_1_15 / 8) mod 2) = 1
-        else lowcost_pixels_first_0_0_value;
-      highcost_pixels_first_0_15_choice_2 := lowcost_pixels_first_0_1_differs_2 when ((highchain_lane_1_15 / 32) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_3;
-      highcost_pixels_first_0_15_choice_3 := lowcost_pixels_first_0_1_differs_3 when ((highchain_lane_1_15 / 16) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_5;
-      highcost_pixels_first_0_15_choice_4 := lowcost_pixels_first_0_1_differs_4 when (highchain_lane_1_15 mod 2) = 1
-        else (compared_held_7_reference_0 mod 2) = 1;
-      highcost_pixels_first_0_15_choice_5 := lowcost_pixels_first_0_1_differs_5 when ((highchain_lane_1_15 / 4) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_7;
-      highcost_pixels_first_0_15_choice_6 := lowcost_pixels_first_0_1_differs_6 when ((highchain_lane_1_15 / 2) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_9;
-      highcost_pixels_first_0_15_choice_7 := lowcost_pixels_first_0_1_differs_7 when ((highchain_lane_1_15 / 64) mod 2)
-        = 1 else lowcost_pixels_first_0_0_value_11;
-      highcost_pixels_first_0_15_choice_8 := lowcost_pixels_first_0_1_differs_8 when ((highchain_lane_1_15 / 256) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_13;
-      highcost_pixels_first_0_15_choice_9 := lowcost_pixels_first_0_1_differs_9 when ((highchain_lane_1_15 / 128) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_15;
-      highcost_pixels_first_0_15_choice_10 := lowcost_pixels_first_0_1_differs_10 when ((highchain_lane_1_15 / 512) mod
-        2) = 1 else lowcost_pixels_first_0_0_value_17;
-      highcost_pixels_first_0_15_choice_11 := lowcost_pixels_first_0_1_differs_11 when (highchain_lane_1_15 / 2048) = 1
-        else (compared_held_7_reference_0 / 2048) = 1;
-      highcost_pixels_first_0_15_choice_12 := lowcost_pixels_first_0_1_differs_12 when ((highchain_lane_1_15 / 1024)
-        mod 2) = 1 else lowcost_pixels_first_0_0_value_19;
-      highcost_pixels_first_1_0_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_0 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_0_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_0 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_0_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_0 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_0_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_0 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_0_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_0 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_0_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_0 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_0_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_0 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_0_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_0 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_0_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_0 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_0_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_0 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_0_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_0 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_0_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_0 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_1_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_1 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_1_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_1 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_1_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_1 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_1_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_1 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_1_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_1 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_1_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_1 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_1_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_1 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_1_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_1 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_1_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_1 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_1_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_1 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_1_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_1 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_1_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_1 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_2_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_2 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_2_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_2 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_2_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_2 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_2_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_2 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_2_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_2 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_2_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_2 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_2_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_2 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_2_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_2 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_2_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_2 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_2_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_2 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_2_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_2 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_2_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_2 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_3_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_3 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_3_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_3 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_3_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_3 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_3_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_3 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_3_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_3 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_3_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_3 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_3_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_3 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_3_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_3 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_3_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_3 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_3_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_3 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_3_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_3 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_3_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_3 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_4_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_4 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_4_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_4 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_4_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_4 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_4_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_4 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_4_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_4 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_4_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_4 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_4_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_4 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_4_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_4 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_4_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_4 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_4_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_4 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_4_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_4 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_4_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_4 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_5_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_5 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_5_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_5 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_5_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_5 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_5_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_5 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_5_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_5 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_5_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_5 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_5_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_5 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_5_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_5 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_5_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_5 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_5_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_5 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_5_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_5 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_5_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_5 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_6_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_6 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_6_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_6 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_6_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_6 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_6_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_6 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_6_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_6 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_6_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_6 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_6_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_6 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_6_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_6 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_6_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_6 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_6_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_6 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_6_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_6 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_6_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_6 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_7_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_7 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_7_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_7 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_7_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_7 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_7_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_7 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_7_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_7 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_7_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_7 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_7_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_7 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_7_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_7 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_7_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_7 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_7_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_7 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_7_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_7 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_7_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_7 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_8_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_8 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_8_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_8 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_8_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_8 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_8_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_8 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_8_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_8 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_8_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_8 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_8_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_8 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_8_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_8 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_8_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_8 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_8_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_8 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_8_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_8 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_8_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_8 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_9_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_9 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_9_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_9 / 32) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_9_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_9 / 16) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_9_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_9 mod 2) = 1 else
-        (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_9_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_9 / 4) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_9_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_9 / 2) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_9_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_9 / 64) mod 2) =
-        1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_9_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_9 / 256) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_9_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_9 / 128) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_9_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_9 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_9_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_9 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_9_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_9 / 1024) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_10_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_10 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_10_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_10 / 32) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_10_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_10 / 16) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_10_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_10 mod 2) = 1
-        else (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_10_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_10 / 4) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_10_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_10 / 2) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_10_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_10 / 64) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_10_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_10 / 256) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_10_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_10 / 128) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_10_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_10 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_10_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_10 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_10_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_10 / 1024)
-        mod 2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_11_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_11 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_11_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_11 / 32) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_11_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_11 / 16) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_11_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_11 mod 2) = 1
-        else (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_11_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_11 / 4) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_11_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_11 / 2) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_11_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_11 / 64) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_11_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_11 / 256) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_11_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_11 / 128) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_11_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_11 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_11_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_11 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_11_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_11 / 1024)
-        mod 2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_12_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_12 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_12_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_12 / 32) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_12_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_12 / 16) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_12_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_12 mod 2) = 1
-        else (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_12_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_12 / 4) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_12_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_12 / 2) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_12_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_12 / 64) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_12_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_12 / 256) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_12_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_12 / 128) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_12_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_12 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_12_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_12 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_12_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_12 / 1024)
-        mod 2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_13_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_13 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_13_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_13 / 32) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_13_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_13 / 16) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_13_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_13 mod 2) = 1
-        else (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_13_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_13 / 4) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_13_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_13 / 2) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_13_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_13 / 64) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_13_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_13 / 256) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_13_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_13 / 128) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_13_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_13 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_13_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_13 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_13_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_13 / 1024)
-        mod 2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_14_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_14 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_14_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_14 / 32) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_14_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_14 / 16) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_14_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_14 mod 2) = 1
-        else (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_14_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_14 / 4) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_14_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_14 / 2) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_14_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_14 / 64) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_14_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_14 / 256) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_14_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_14 / 128) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_14_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_14 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_14_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_14 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_14_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_14 / 1024)
-        mod 2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_pixels_first_1_15_choice := lowcost_pixels_first_1_1_differs when ((highchain_lane_0_15 / 8) mod 2) = 1
-        else lowcost_pixels_first_1_0_value;
-      highcost_pixels_first_1_15_choice_2 := lowcost_pixels_first_1_1_differs_2 when ((highchain_lane_0_15 / 32) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_3;
-      highcost_pixels_first_1_15_choice_3 := lowcost_pixels_first_1_1_differs_3 when ((highchain_lane_0_15 / 16) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_5;
-      highcost_pixels_first_1_15_choice_4 := lowcost_pixels_first_1_1_differs_4 when (highchain_lane_0_15 mod 2) = 1
-        else (compared_held_7_reference_1 mod 2) = 1;
-      highcost_pixels_first_1_15_choice_5 := lowcost_pixels_first_1_1_differs_5 when ((highchain_lane_0_15 / 4) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_7;
-      highcost_pixels_first_1_15_choice_6 := lowcost_pixels_first_1_1_differs_6 when ((highchain_lane_0_15 / 2) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_9;
-      highcost_pixels_first_1_15_choice_7 := lowcost_pixels_first_1_1_differs_7 when ((highchain_lane_0_15 / 64) mod 2)
-        = 1 else lowcost_pixels_first_1_0_value_11;
-      highcost_pixels_first_1_15_choice_8 := lowcost_pixels_first_1_1_differs_8 when ((highchain_lane_0_15 / 256) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_13;
-      highcost_pixels_first_1_15_choice_9 := lowcost_pixels_first_1_1_differs_9 when ((highchain_lane_0_15 / 128) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_15;
-      highcost_pixels_first_1_15_choice_10 := lowcost_pixels_first_1_1_differs_10 when ((highchain_lane_0_15 / 512) mod
-        2) = 1 else lowcost_pixels_first_1_0_value_17;
-      highcost_pixels_first_1_15_choice_11 := lowcost_pixels_first_1_1_differs_11 when (highchain_lane_0_15 / 2048) = 1
-        else (compared_held_7_reference_1 / 2048) = 1;
-      highcost_pixels_first_1_15_choice_12 := lowcost_pixels_first_1_1_differs_12 when ((highchain_lane_0_15 / 1024)
-        mod 2) = 1 else lowcost_pixels_first_1_0_value_19;
-      highcost_column_0_0_choice := 0 when lowcost_ready_tag_first_group else highcost_ready_words_0 mod 128;
-      highcost_column_0_0_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_0 +
-        highcost_column_0_0_choice) mod 128;
-      highcost_column_0_1_choice := 0 when lowcost_ready_tag_first_group else (highcost_ready_words_0 / 128) mod 128;
-      highcost_column_0_1_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_1 +
-        highcost_column_0_1_choice) mod 128;
-      highcost_column_0_2_choice := 0 when lowcost_ready_tag_first_group else (highcost_ready_words_0 / 16384) mod 128;
-      highcost_column_0_2_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_2 +
-        highcost_column_0_2_choice) mod 128;
-      highcost_column_0_3_choice := 0 when lowcost_ready_tag_first_group else highcost_ready_words_0 / 2097152;
-      highcost_column_0_3_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_3 +
-        highcost_column_0_3_choice) mod 128;
-      highcost_column_0_4_choice := 0 when lowcost_ready_tag_first_group else highcost_ready_words_1 mod 128;
-      highcost_column_0_4_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_4 +
-        highcost_column_0_4_choice) mod 128;
-      highcost_column_0_5_choice := 0 when lowcost_ready_tag_first_group else (highcost_ready_words_1 / 128) mod 128;
-      highcost_column_0_5_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_5 +
-        highcost_column_0_5_choice) mod 128;
-      highcost_column_0_6_choice := 0 when lowcost_ready_tag_first_group else (highcost_ready_words_1 / 16384) mod 128;
-      highcost_column_0_6_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_6 +
-        highcost_column_0_6_choice) mod 128;
-      highcost_column_0_7_choice := 0 when lowcost_ready_tag_first_group else highcost_ready_words_1 / 2097152;
-      highcost_column_0_7_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_7 +
-        highcost_column_0_7_choice) mod 128;
-      highcost_column_0_8_choice := 0 when lowcost_ready_tag_first_group else highcost_ready_words_2 mod 128;
-      highcost_column_0_8_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_8 +
-        highcost_column_0_8_choice) mod 128;
-      highcost_column_0_9_choice := 0 when lowcost_ready_tag_first_group else (highcost_ready_words_2 / 128) mod 128;
-      highcost_column_0_9_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_9 +
-        highcost_column_0_9_choice) mod 128;
-      highcost_column_0_10_choice := 0 when lowcost_ready_tag_first_group else (highcost_ready_words_2 / 16384) mod 128;
-      highcost_column_0_10_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_10 +
-        highcost_column_0_10_choice) mod 128;
-      highcost_column_0_11_choice := 0 when lowcost_ready_tag_first_group else highcost_ready_words_2 / 2097152;
-      highcost_column_0_11_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_11 +
-        highcost_column_0_11_choice) mod 128;
-      highcost_column_0_12_choice := 0 when lowcost_ready_tag_first_group else highcost_ready_words_3 mod 128;
-      highcost_column_0_12_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_12 +
-        highcost_column_0_12_choice) mod 128;
-      highcost_column_0_13_choice := 0 when lowcost_ready_tag_first_group else (highcost_ready_words_3 / 128) mod 128;
-      highcost_column_0_13_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_13 +
-        highcost_column_0_13_choice) mod 128;
-      highcost_column_0_14_choice := 0 when lowcost_ready_tag_first_group else (highcost_ready_words_3 / 16384) mod 128;
-      highcost_column_0_14_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_14 +
-        highcost_column_0_14_choice) mod 128;
-      highcost_column_0_15_choice := 0 when lowcost_ready_tag_first_group else highcost_ready_words_3 / 2097152;
-      highcost_column_0_15_choice_2 := 0 when lowcost_ready_tag_border_column else (highcost_change_0_15 +
-        highcost_column_0_15_choice) mod 128;
+      if ((highchain_lane_1_0 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_0_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_0_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_0 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_0_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_0_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_0 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_0_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_0_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_0 mod 2) = 1 then
+        highcost_pixels_first_0_0_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_0_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_0 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_0_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_0_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_0 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_0_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_0_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_0 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_0_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_0_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_0 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_0_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_0_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_0 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_0_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_0_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_0 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_0_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_0_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_0 / 2048) = 1 then
+        highcost_pixels_first_0_0_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_0_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_0 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_0_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_0_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_1 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_1_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_1_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_1 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_1_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_1_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_1 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_1_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_1_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_1 mod 2) = 1 then
+        highcost_pixels_first_0_1_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_1_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_1 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_1_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_1_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_1 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_1_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_1_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_1 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_1_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_1_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_1 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_1_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_1_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_1 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_1_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_1_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_1 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_1_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_1_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_1 / 2048) = 1 then
+        highcost_pixels_first_0_1_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_1_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_1 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_1_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_1_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_2 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_2_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_2_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_2 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_2_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_2_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_2 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_2_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_2_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_2 mod 2) = 1 then
+        highcost_pixels_first_0_2_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_2_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_2 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_2_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_2_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_2 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_2_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_2_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_2 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_2_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_2_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_2 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_2_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_2_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_2 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_2_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_2_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_2 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_2_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_2_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_2 / 2048) = 1 then
+        highcost_pixels_first_0_2_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_2_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_2 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_2_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_2_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_3 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_3_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_3_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_3 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_3_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_3_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_3 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_3_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_3_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_3 mod 2) = 1 then
+        highcost_pixels_first_0_3_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_3_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_3 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_3_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_3_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_3 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_3_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_3_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_3 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_3_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_3_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_3 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_3_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_3_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_3 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_3_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_3_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_3 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_3_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_3_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_3 / 2048) = 1 then
+        highcost_pixels_first_0_3_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_3_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_3 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_3_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_3_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_4 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_4_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_4_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_4 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_4_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_4_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_4 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_4_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_4_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_4 mod 2) = 1 then
+        highcost_pixels_first_0_4_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_4_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_4 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_4_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_4_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_4 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_4_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_4_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_4 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_4_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_4_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_4 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_4_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_4_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_4 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_4_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_4_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_4 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_4_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_4_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_4 / 2048) = 1 then
+        highcost_pixels_first_0_4_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_4_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_4 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_4_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_4_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_5 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_5_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_5_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_5 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_5_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_5_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_5 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_5_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_5_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_5 mod 2) = 1 then
+        highcost_pixels_first_0_5_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_5_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_5 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_5_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_5_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_5 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_5_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_5_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_5 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_5_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_5_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_5 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_5_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_5_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_5 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_5_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_5_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_5 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_5_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_5_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_5 / 2048) = 1 then
+        highcost_pixels_first_0_5_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_5_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_5 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_5_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_5_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_6 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_6_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_6_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_6 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_6_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_6_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_6 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_6_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_6_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_6 mod 2) = 1 then
+        highcost_pixels_first_0_6_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_6_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_6 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_6_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_6_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_6 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_6_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_6_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_6 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_6_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_6_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_6 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_6_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_6_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_6 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_6_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_6_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_6 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_6_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_6_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_6 / 2048) = 1 then
+        highcost_pixels_first_0_6_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_6_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_6 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_6_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_6_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_7 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_7_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_7_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_7 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_7_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_7_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_7 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_7_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_7_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_7 mod 2) = 1 then
+        highcost_pixels_first_0_7_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_7_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_7 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_7_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_7_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_7 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_7_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_7_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_7 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_7_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_7_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_7 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_7_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_7_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_7 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_7_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_7_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_7 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_7_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_7_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_7 / 2048) = 1 then
+        highcost_pixels_first_0_7_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_7_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_7 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_7_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_7_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_8 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_8_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_8_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_8 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_8_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_8_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_8 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_8_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_8_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_8 mod 2) = 1 then
+        highcost_pixels_first_0_8_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_8_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_8 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_8_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_8_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_8 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_8_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_8_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_8 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_8_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_8_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_8 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_8_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_8_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_8 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_8_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_8_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_8 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_8_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_8_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_8 / 2048) = 1 then
+        highcost_pixels_first_0_8_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_8_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_8 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_8_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_8_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_9 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_9_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_9_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_9 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_9_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_9_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_9 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_9_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_9_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_9 mod 2) = 1 then
+        highcost_pixels_first_0_9_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_9_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_9 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_9_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_9_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_9 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_9_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_9_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_9 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_9_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_9_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_9 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_9_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_9_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_9 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_9_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_9_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_9 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_9_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_9_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_9 / 2048) = 1 then
+        highcost_pixels_first_0_9_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_9_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_9 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_9_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_9_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_10 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_10_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_10_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_10 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_10_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_10_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_10 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_10_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_10_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_10 mod 2) = 1 then
+        highcost_pixels_first_0_10_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_10_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_10 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_10_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_10_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_10 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_10_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_10_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_10 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_10_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_10_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_10 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_10_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_10_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_10 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_10_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_10_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_10 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_10_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_10_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_10 / 2048) = 1 then
+        highcost_pixels_first_0_10_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_10_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_10 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_10_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_10_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_11 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_11_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_11_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_11 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_11_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_11_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_11 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_11_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_11_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_11 mod 2) = 1 then
+        highcost_pixels_first_0_11_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_11_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_11 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_11_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_11_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_11 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_11_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_11_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_11 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_11_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_11_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_11 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_11_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_11_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_11 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_11_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_11_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_11 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_11_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_11_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_11 / 2048) = 1 then
+        highcost_pixels_first_0_11_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_11_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_11 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_11_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_11_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_12 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_12_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_12_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_12 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_12_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_12_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_12 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_12_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_12_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_12 mod 2) = 1 then
+        highcost_pixels_first_0_12_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_12_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_12 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_12_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_12_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_12 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_12_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_12_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_12 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_12_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_12_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_12 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_12_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_12_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_12 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_12_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_12_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_12 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_12_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_12_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_12 / 2048) = 1 then
+        highcost_pixels_first_0_12_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_12_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_12 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_12_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_12_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_13 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_13_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_13_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_13 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_13_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_13_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_13 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_13_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_13_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_13 mod 2) = 1 then
+        highcost_pixels_first_0_13_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_13_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_13 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_13_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_13_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_13 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_13_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_13_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_13 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_13_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_13_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_13 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_13_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_13_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_13 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_13_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_13_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_13 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_13_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_13_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_13 / 2048) = 1 then
+        highcost_pixels_first_0_13_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_13_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_13 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_13_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_13_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_14 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_14_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_14_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_14 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_14_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_14_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_14 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_14_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_14_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_14 mod 2) = 1 then
+        highcost_pixels_first_0_14_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_14_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_14 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_14_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_14_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_14 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_14_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_14_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_14 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_14_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_14_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_14 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_14_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_14_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_14 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_14_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_14_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_14 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_14_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_14_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_14 / 2048) = 1 then
+        highcost_pixels_first_0_14_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_14_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_14 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_14_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_14_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_1_15 / 8) mod 2) = 1 then
+        highcost_pixels_first_0_15_choice := lowcost_pixels_first_0_1_differs;
+      else
+        highcost_pixels_first_0_15_choice := lowcost_pixels_first_0_0_value;
+      end if;
+      if ((highchain_lane_1_15 / 32) mod 2) = 1 then
+        highcost_pixels_first_0_15_choice_2 := lowcost_pixels_first_0_1_differs_2;
+      else
+        highcost_pixels_first_0_15_choice_2 := lowcost_pixels_first_0_0_value_3;
+      end if;
+      if ((highchain_lane_1_15 / 16) mod 2) = 1 then
+        highcost_pixels_first_0_15_choice_3 := lowcost_pixels_first_0_1_differs_3;
+      else
+        highcost_pixels_first_0_15_choice_3 := lowcost_pixels_first_0_0_value_5;
+      end if;
+      if (highchain_lane_1_15 mod 2) = 1 then
+        highcost_pixels_first_0_15_choice_4 := lowcost_pixels_first_0_1_differs_4;
+      else
+        highcost_pixels_first_0_15_choice_4 := (compared_held_7_reference_0 mod 2) = 1;
+      end if;
+      if ((highchain_lane_1_15 / 4) mod 2) = 1 then
+        highcost_pixels_first_0_15_choice_5 := lowcost_pixels_first_0_1_differs_5;
+      else
+        highcost_pixels_first_0_15_choice_5 := lowcost_pixels_first_0_0_value_7;
+      end if;
+      if ((highchain_lane_1_15 / 2) mod 2) = 1 then
+        highcost_pixels_first_0_15_choice_6 := lowcost_pixels_first_0_1_differs_6;
+      else
+        highcost_pixels_first_0_15_choice_6 := lowcost_pixels_first_0_0_value_9;
+      end if;
+      if ((highchain_lane_1_15 / 64) mod 2) = 1 then
+        highcost_pixels_first_0_15_choice_7 := lowcost_pixels_first_0_1_differs_7;
+      else
+        highcost_pixels_first_0_15_choice_7 := lowcost_pixels_first_0_0_value_11;
+      end if;
+      if ((highchain_lane_1_15 / 256) mod 2) = 1 then
+        highcost_pixels_first_0_15_choice_8 := lowcost_pixels_first_0_1_differs_8;
+      else
+        highcost_pixels_first_0_15_choice_8 := lowcost_pixels_first_0_0_value_13;
+      end if;
+      if ((highchain_lane_1_15 / 128) mod 2) = 1 then
+        highcost_pixels_first_0_15_choice_9 := lowcost_pixels_first_0_1_differs_9;
+      else
+        highcost_pixels_first_0_15_choice_9 := lowcost_pixels_first_0_0_value_15;
+      end if;
+      if ((highchain_lane_1_15 / 512) mod 2) = 1 then
+        highcost_pixels_first_0_15_choice_10 := lowcost_pixels_first_0_1_differs_10;
+      else
+        highcost_pixels_first_0_15_choice_10 := lowcost_pixels_first_0_0_value_17;
+      end if;
+      if (highchain_lane_1_15 / 2048) = 1 then
+        highcost_pixels_first_0_15_choice_11 := lowcost_pixels_first_0_1_differs_11;
+      else
+        highcost_pixels_first_0_15_choice_11 := (compared_held_7_reference_0 / 2048) = 1;
+      end if;
+      if ((highchain_lane_1_15 / 1024) mod 2) = 1 then
+        highcost_pixels_first_0_15_choice_12 := lowcost_pixels_first_0_1_differs_12;
+      else
+        highcost_pixels_first_0_15_choice_12 := lowcost_pixels_first_0_0_value_19;
+      end if;
+      if ((highchain_lane_0_0 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_0_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_0_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_0 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_0_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_0_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_0 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_0_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_0_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_0 mod 2) = 1 then
+        highcost_pixels_first_1_0_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_0_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_0 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_0_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_0_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_0 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_0_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_0_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_0 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_0_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_0_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_0 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_0_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_0_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_0 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_0_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_0_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_0 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_0_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_0_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_0 / 2048) = 1 then
+        highcost_pixels_first_1_0_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_0_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_0 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_0_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_0_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_1 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_1_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_1_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_1 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_1_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_1_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_1 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_1_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_1_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_1 mod 2) = 1 then
+        highcost_pixels_first_1_1_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_1_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_1 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_1_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_1_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_1 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_1_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_1_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_1 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_1_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_1_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_1 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_1_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_1_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_1 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_1_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_1_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_1 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_1_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_1_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_1 / 2048) = 1 then
+        highcost_pixels_first_1_1_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_1_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_1 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_1_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_1_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_2 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_2_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_2_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_2 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_2_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_2_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_2 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_2_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_2_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_2 mod 2) = 1 then
+        highcost_pixels_first_1_2_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_2_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_2 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_2_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_2_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_2 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_2_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_2_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_2 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_2_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_2_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_2 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_2_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_2_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_2 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_2_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_2_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_2 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_2_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_2_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_2 / 2048) = 1 then
+        highcost_pixels_first_1_2_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_2_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_2 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_2_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_2_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_3 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_3_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_3_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_3 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_3_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_3_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_3 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_3_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_3_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_3 mod 2) = 1 then
+        highcost_pixels_first_1_3_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_3_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_3 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_3_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_3_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_3 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_3_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_3_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_3 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_3_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_3_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_3 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_3_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_3_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_3 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_3_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_3_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_3 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_3_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_3_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_3 / 2048) = 1 then
+        highcost_pixels_first_1_3_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_3_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_3 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_3_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_3_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_4 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_4_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_4_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_4 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_4_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_4_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_4 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_4_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_4_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_4 mod 2) = 1 then
+        highcost_pixels_first_1_4_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_4_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_4 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_4_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_4_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_4 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_4_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_4_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_4 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_4_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_4_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_4 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_4_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_4_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_4 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_4_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_4_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_4 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_4_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_4_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_4 / 2048) = 1 then
+        highcost_pixels_first_1_4_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_4_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_4 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_4_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_4_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_5 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_5_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_5_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_5 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_5_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_5_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_5 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_5_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_5_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_5 mod 2) = 1 then
+        highcost_pixels_first_1_5_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_5_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_5 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_5_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_5_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_5 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_5_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_5_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_5 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_5_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_5_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_5 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_5_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_5_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_5 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_5_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_5_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_5 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_5_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_5_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_5 / 2048) = 1 then
+        highcost_pixels_first_1_5_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_5_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_5 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_5_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_5_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_6 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_6_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_6_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_6 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_6_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_6_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_6 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_6_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_6_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_6 mod 2) = 1 then
+        highcost_pixels_first_1_6_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_6_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_6 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_6_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_6_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_6 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_6_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_6_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_6 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_6_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_6_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_6 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_6_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_6_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_6 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_6_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_6_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_6 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_6_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_6_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_6 / 2048) = 1 then
+        highcost_pixels_first_1_6_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_6_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_6 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_6_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_6_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_7 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_7_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_7_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_7 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_7_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_7_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_7 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_7_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_7_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_7 mod 2) = 1 then
+        highcost_pixels_first_1_7_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_7_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_7 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_7_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_7_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_7 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_7_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_7_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_7 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_7_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_7_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_7 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_7_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_7_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_7 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_7_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_7_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_7 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_7_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_7_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_7 / 2048) = 1 then
+        highcost_pixels_first_1_7_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_7_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_7 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_7_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_7_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_8 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_8_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_8_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_8 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_8_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_8_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_8 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_8_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_8_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_8 mod 2) = 1 then
+        highcost_pixels_first_1_8_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_8_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_8 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_8_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_8_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_8 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_8_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_8_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_8 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_8_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_8_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_8 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_8_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_8_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_8 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_8_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_8_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_8 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_8_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_8_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_8 / 2048) = 1 then
+        highcost_pixels_first_1_8_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_8_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_8 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_8_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_8_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_9 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_9_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_9_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_9 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_9_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_9_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_9 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_9_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_9_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_9 mod 2) = 1 then
+        highcost_pixels_first_1_9_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_9_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_9 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_9_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_9_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_9 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_9_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_9_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_9 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_9_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_9_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_9 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_9_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_9_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_9 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_9_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_9_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_9 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_9_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_9_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_9 / 2048) = 1 then
+        highcost_pixels_first_1_9_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_9_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_9 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_9_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_9_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_10 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_10_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_10_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_10 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_10_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_10_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_10 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_10_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_10_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_10 mod 2) = 1 then
+        highcost_pixels_first_1_10_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_10_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_10 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_10_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_10_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_10 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_10_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_10_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_10 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_10_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_10_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_10 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_10_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_10_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_10 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_10_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_10_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_10 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_10_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_10_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_10 / 2048) = 1 then
+        highcost_pixels_first_1_10_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_10_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_10 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_10_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_10_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_11 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_11_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_11_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_11 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_11_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_11_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_11 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_11_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_11_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_11 mod 2) = 1 then
+        highcost_pixels_first_1_11_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_11_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_11 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_11_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_11_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_11 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_11_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_11_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_11 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_11_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_11_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_11 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_11_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_11_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_11 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_11_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_11_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_11 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_11_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_11_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_11 / 2048) = 1 then
+        highcost_pixels_first_1_11_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_11_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_11 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_11_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_11_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_12 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_12_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_12_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_12 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_12_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_12_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_12 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_12_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_12_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_12 mod 2) = 1 then
+        highcost_pixels_first_1_12_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_12_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_12 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_12_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_12_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_12 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_12_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_12_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_12 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_12_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_12_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_12 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_12_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_12_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_12 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_12_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_12_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_12 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_12_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_12_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_12 / 2048) = 1 then
+        highcost_pixels_first_1_12_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_12_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_12 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_12_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_12_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_13 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_13_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_13_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_13 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_13_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_13_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_13 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_13_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_13_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_13 mod 2) = 1 then
+        highcost_pixels_first_1_13_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_13_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_13 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_13_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_13_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_13 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_13_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_13_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_13 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_13_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_13_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_13 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_13_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_13_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_13 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_13_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_13_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_13 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_13_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_13_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_13 / 2048) = 1 then
+        highcost_pixels_first_1_13_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_13_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_13 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_13_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_13_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_14 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_14_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_14_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_14 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_14_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_14_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_14 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_14_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_14_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_14 mod 2) = 1 then
+        highcost_pixels_first_1_14_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_14_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_14 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_14_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_14_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_14 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_14_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_14_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_14 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_14_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_14_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_14 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_14_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_14_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_14 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_14_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_14_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_14 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_14_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_14_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_14 / 2048) = 1 then
+        highcost_pixels_first_1_14_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_14_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_14 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_14_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_14_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if ((highchain_lane_0_15 / 8) mod 2) = 1 then
+        highcost_pixels_first_1_15_choice := lowcost_pixels_first_1_1_differs;
+      else
+        highcost_pixels_first_1_15_choice := lowcost_pixels_first_1_0_value;
+      end if;
+      if ((highchain_lane_0_15 / 32) mod 2) = 1 then
+        highcost_pixels_first_1_15_choice_2 := lowcost_pixels_first_1_1_differs_2;
+      else
+        highcost_pixels_first_1_15_choice_2 := lowcost_pixels_first_1_0_value_3;
+      end if;
+      if ((highchain_lane_0_15 / 16) mod 2) = 1 then
+        highcost_pixels_first_1_15_choice_3 := lowcost_pixels_first_1_1_differs_3;
+      else
+        highcost_pixels_first_1_15_choice_3 := lowcost_pixels_first_1_0_value_5;
+      end if;
+      if (highchain_lane_0_15 mod 2) = 1 then
+        highcost_pixels_first_1_15_choice_4 := lowcost_pixels_first_1_1_differs_4;
+      else
+        highcost_pixels_first_1_15_choice_4 := (compared_held_7_reference_1 mod 2) = 1;
+      end if;
+      if ((highchain_lane_0_15 / 4) mod 2) = 1 then
+        highcost_pixels_first_1_15_choice_5 := lowcost_pixels_first_1_1_differs_5;
+      else
+        highcost_pixels_first_1_15_choice_5 := lowcost_pixels_first_1_0_value_7;
+      end if;
+      if ((highchain_lane_0_15 / 2) mod 2) = 1 then
+        highcost_pixels_first_1_15_choice_6 := lowcost_pixels_first_1_1_differs_6;
+      else
+        highcost_pixels_first_1_15_choice_6 := lowcost_pixels_first_1_0_value_9;
+      end if;
+      if ((highchain_lane_0_15 / 64) mod 2) = 1 then
+        highcost_pixels_first_1_15_choice_7 := lowcost_pixels_first_1_1_differs_7;
+      else
+        highcost_pixels_first_1_15_choice_7 := lowcost_pixels_first_1_0_value_11;
+      end if;
+      if ((highchain_lane_0_15 / 256) mod 2) = 1 then
+        highcost_pixels_first_1_15_choice_8 := lowcost_pixels_first_1_1_differs_8;
+      else
+        highcost_pixels_first_1_15_choice_8 := lowcost_pixels_first_1_0_value_13;
+      end if;
+      if ((highchain_lane_0_15 / 128) mod 2) = 1 then
+        highcost_pixels_first_1_15_choice_9 := lowcost_pixels_first_1_1_differs_9;
+      else
+        highcost_pixels_first_1_15_choice_9 := lowcost_pixels_first_1_0_value_15;
+      end if;
+      if ((highchain_lane_0_15 / 512) mod 2) = 1 then
+        highcost_pixels_first_1_15_choice_10 := lowcost_pixels_first_1_1_differs_10;
+      else
+        highcost_pixels_first_1_15_choice_10 := lowcost_pixels_first_1_0_value_17;
+      end if;
+      if (highchain_lane_0_15 / 2048) = 1 then
+        highcost_pixels_first_1_15_choice_11 := lowcost_pixels_first_1_1_differs_11;
+      else
+        highcost_pixels_first_1_15_choice_11 := (compared_held_7_reference_1 / 2048) = 1;
+      end if;
+      if ((highchain_lane_0_15 / 1024) mod 2) = 1 then
+        highcost_pixels_first_1_15_choice_12 := lowcost_pixels_first_1_1_differs_12;
+      else
+        highcost_pixels_first_1_15_choice_12 := lowcost_pixels_first_1_0_value_19;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_0_choice := 0;
+      else
+        highcost_column_0_0_choice := highcost_ready_words_0 mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_0_choice_2 := 0;
+      else
+        highcost_column_0_0_choice_2 := (highcost_change_0_0 + highcost_column_0_0_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_1_choice := 0;
+      else
+        highcost_column_0_1_choice := (highcost_ready_words_0 / 128) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_1_choice_2 := 0;
+      else
+        highcost_column_0_1_choice_2 := (highcost_change_0_1 + highcost_column_0_1_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_2_choice := 0;
+      else
+        highcost_column_0_2_choice := (highcost_ready_words_0 / 16384) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_2_choice_2 := 0;
+      else
+        highcost_column_0_2_choice_2 := (highcost_change_0_2 + highcost_column_0_2_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_3_choice := 0;
+      else
+        highcost_column_0_3_choice := highcost_ready_words_0 / 2097152;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_3_choice_2 := 0;
+      else
+        highcost_column_0_3_choice_2 := (highcost_change_0_3 + highcost_column_0_3_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_4_choice := 0;
+      else
+        highcost_column_0_4_choice := highcost_ready_words_1 mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_4_choice_2 := 0;
+      else
+        highcost_column_0_4_choice_2 := (highcost_change_0_4 + highcost_column_0_4_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_5_choice := 0;
+      else
+        highcost_column_0_5_choice := (highcost_ready_words_1 / 128) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_5_choice_2 := 0;
+      else
+        highcost_column_0_5_choice_2 := (highcost_change_0_5 + highcost_column_0_5_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_6_choice := 0;
+      else
+        highcost_column_0_6_choice := (highcost_ready_words_1 / 16384) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_6_choice_2 := 0;
+      else
+        highcost_column_0_6_choice_2 := (highcost_change_0_6 + highcost_column_0_6_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_7_choice := 0;
+      else
+        highcost_column_0_7_choice := highcost_ready_words_1 / 2097152;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_7_choice_2 := 0;
+      else
+        highcost_column_0_7_choice_2 := (highcost_change_0_7 + highcost_column_0_7_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_8_choice := 0;
+      else
+        highcost_column_0_8_choice := highcost_ready_words_2 mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_8_choice_2 := 0;
+      else
+        highcost_column_0_8_choice_2 := (highcost_change_0_8 + highcost_column_0_8_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_9_choice := 0;
+      else
+        highcost_column_0_9_choice := (highcost_ready_words_2 / 128) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_9_choice_2 := 0;
+      else
+        highcost_column_0_9_choice_2 := (highcost_change_0_9 + highcost_column_0_9_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_10_choice := 0;
+      else
+        highcost_column_0_10_choice := (highcost_ready_words_2 / 16384) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_10_choice_2 := 0;
+      else
+        highcost_column_0_10_choice_2 := (highcost_change_0_10 + highcost_column_0_10_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_11_choice := 0;
+      else
+        highcost_column_0_11_choice := highcost_ready_words_2 / 2097152;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_11_choice_2 := 0;
+      else
+        highcost_column_0_11_choice_2 := (highcost_change_0_11 + highcost_column_0_11_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_12_choice := 0;
+      else
+        highcost_column_0_12_choice := highcost_ready_words_3 mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_12_choice_2 := 0;
+      else
+        highcost_column_0_12_choice_2 := (highcost_change_0_12 + highcost_column_0_12_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_13_choice := 0;
+      else
+        highcost_column_0_13_choice := (highcost_ready_words_3 / 128) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_13_choice_2 := 0;
+      else
+        highcost_column_0_13_choice_2 := (highcost_change_0_13 + highcost_column_0_13_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_14_choice := 0;
+      else
+        highcost_column_0_14_choice := (highcost_ready_words_3 / 16384) mod 128;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_14_choice_2 := 0;
+      else
+        highcost_column_0_14_choice_2 := (highcost_change_0_14 + highcost_column_0_14_choice) mod 128;
+      end if;
+      if lowcost_ready_tag_first_group then
+        highcost_column_0_15_choice := 0;
+      else
+        highcost_column_0_15_choice := highcost_ready_words_3 / 2097152;
+      end if;
+      if lowcost_ready_tag_border_column then
+        highcost_column_0_15_choice_2 := 0;
+      else
+        highcost_column_0_15_choice_2 := (highcost_change_0_15 + highcost_column_0_15_choice) mod 128;
+      end if;
       highcost_pixels_first_0_0 <= ((as_number(highcost_pixels_first_0_0_choice) +
         as_number(highcost_pixels_first_0_0_choice_2) + as_number(highcost_pixels_first_0_0_choice_3)) * 4) +
         as_number(highcost_pixels_first_0_0_choice_4) + as_number(highcost_pixels_first_0_0_choice_5) +
@@ -8065,22 +12183,86 @@ begin
       highwindow_change_0_13 <= highwindow_entering_0_13 - highwindow_change_0_13_choice;
       highwindow_change_0_14 <= highwindow_entering_0_14 - highwindow_change_0_14_choice;
       highwindow_change_0_15 <= highwindow_entering_0_15 - highwindow_change_0_15_choice;
-      highwindow_sum_0_0_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_0;
-      highwindow_sum_0_1_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_1;
-      highwindow_sum_0_2_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_2;
-      highwindow_sum_0_3_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_3;
-      highwindow_sum_0_4_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_4;
-      highwindow_sum_0_5_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_5;
-      highwindow_sum_0_6_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_6;
-      highwindow_sum_0_7_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_7;
-      highwindow_sum_0_8_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_8;
-      highwindow_sum_0_9_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_9;
-      highwindow_sum_0_10_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_10;
-      highwindow_sum_0_11_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_11;
-      highwindow_sum_0_12_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_12;
-      highwindow_sum_0_13_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_13;
-      highwindow_sum_0_14_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_14;
-      highwindow_sum_0_15_choice := 0 when lowwindow_change_tag_first_cost else highwindow_sum_0_15;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_0_choice := 0;
+      else
+        highwindow_sum_0_0_choice := highwindow_sum_0_0;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_1_choice := 0;
+      else
+        highwindow_sum_0_1_choice := highwindow_sum_0_1;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_2_choice := 0;
+      else
+        highwindow_sum_0_2_choice := highwindow_sum_0_2;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_3_choice := 0;
+      else
+        highwindow_sum_0_3_choice := highwindow_sum_0_3;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_4_choice := 0;
+      else
+        highwindow_sum_0_4_choice := highwindow_sum_0_4;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_5_choice := 0;
+      else
+        highwindow_sum_0_5_choice := highwindow_sum_0_5;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_6_choice := 0;
+      else
+        highwindow_sum_0_6_choice := highwindow_sum_0_6;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_7_choice := 0;
+      else
+        highwindow_sum_0_7_choice := highwindow_sum_0_7;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_8_choice := 0;
+      else
+        highwindow_sum_0_8_choice := highwindow_sum_0_8;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_9_choice := 0;
+      else
+        highwindow_sum_0_9_choice := highwindow_sum_0_9;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_10_choice := 0;
+      else
+        highwindow_sum_0_10_choice := highwindow_sum_0_10;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_11_choice := 0;
+      else
+        highwindow_sum_0_11_choice := highwindow_sum_0_11;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_12_choice := 0;
+      else
+        highwindow_sum_0_12_choice := highwindow_sum_0_12;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_13_choice := 0;
+      else
+        highwindow_sum_0_13_choice := highwindow_sum_0_13;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_14_choice := 0;
+      else
+        highwindow_sum_0_14_choice := highwindow_sum_0_14;
+      end if;
+      if lowwindow_change_tag_first_cost then
+        highwindow_sum_0_15_choice := 0;
+      else
+        highwindow_sum_0_15_choice := highwindow_sum_0_15;
+      end if;
       if lowwindow_change_tag_valid then
         highwindow_sum_0_0 <= (highwindow_sum_0_0_choice + highwindow_change_0_0) mod 512;
         highwindow_sum_0_1 <= (highwindow_sum_0_1_choice + highwindow_change_0_1) mod 512;
@@ -8120,54 +12302,7 @@ begin
       highwinner1_of_four_0_12_is_less := (to_integer(((to_unsigned(highwinner1_of_pair_0_14, 9)) or
         (to_unsigned(highwinner1_of_pair_0_15, 9)))) - to_integer(((to_unsigned(highwinner1_of_pair_0_12, 9)) or
         (to_unsigned(highwinner1_of_pair_0_13, 9))))) < 0;
-      highwinner1_of_pair_0_0 <= 0 when highwinner1_of_pair_0_0_is_less else highwindow_sum_0_0;
-      highwinner1_of_pair_0_1 <= highwindow_sum_0_1 when highwinner1_of_pair_0_0_is_less else 0;
-      highwinner1_of_pair_0_2 <= 0 when highwinner1_of_pair_0_2_is_less else highwindow_sum_0_2;
-      highwinner1_of_pair_0_3 <= highwindow_sum_0_3 when highwinner1_of_pair_0_2_is_less else 0;
-      highwinner1_of_pair_0_4 <= 0 when highwinner1_of_pair_0_4_is_less else highwindow_sum_0_4;
-      highwinner1_of_pair_0_5 <= highwindow_sum_0_5 when highwinner1_of_pair_0_4_is_less else 0;
-      highwinner1_of_pair_0_6 <= 0 when highwinner1_of_pair_0_6_is_less else highwindow_sum_0_6;
-      highwinner1_of_pair_0_7 <= highwindow_sum_0_7 when highwinner1_of_pair_0_6_is_less else 0;
-      highwinner1_of_pair_0_8 <= 0 when highwinner1_of_pair_0_8_is_less else highwindow_sum_0_8;
-      highwinner1_of_pair_0_9 <= highwindow_sum_0_9 when highwinner1_of_pair_0_8_is_less else 0;
-      highwinner1_of_pair_0_10 <= 0 when highwinner1_of_pair_0_10_is_less else highwindow_sum_0_10;
-      highwinner1_of_pair_0_11 <= highwindow_sum_0_11 when highwinner1_of_pair_0_10_is_less else 0;
-      highwinner1_of_pair_0_12 <= 0 when highwinner1_of_pair_0_12_is_less else highwindow_sum_0_12;
-      highwinner1_of_pair_0_13 <= highwindow_sum_0_13 when highwinner1_of_pair_0_12_is_less else 0;
-      highwinner1_of_pair_0_14 <= 0 when highwinner1_of_pair_0_14_is_less else highwindow_sum_0_14;
-      highwinner1_of_pair_0_15 <= highwindow_sum_0_15 when highwinner1_of_pair_0_14_is_less else 0;
       highwinner1_pair_index_0_0 <= highwinner1_of_pair_0_0_is_less;
-      highwinner1_pair_index_0_1 <= 3 when highwinner1_of_pair_0_2_is_less else 2;
-      highwinner1_pair_index_0_2 <= 5 when highwinner1_of_pair_0_4_is_less else 4;
-      highwinner1_pair_index_0_3 <= 7 when highwinner1_of_pair_0_6_is_less else 6;
-      highwinner1_pair_index_0_4 <= 9 when highwinner1_of_pair_0_8_is_less else 8;
-      highwinner1_pair_index_0_5 <= 11 when highwinner1_of_pair_0_10_is_less else 10;
-      highwinner1_pair_index_0_6 <= 13 when highwinner1_of_pair_0_12_is_less else 12;
-      highwinner1_pair_index_0_7 <= 15 when highwinner1_of_pair_0_14_is_less else 14;
-      highwinner1_of_four_0_0 <= 0 when highwinner1_of_four_0_0_is_less else highwinner1_of_pair_0_0;
-      highwinner1_of_four_0_1 <= 0 when highwinner1_of_four_0_0_is_less else highwinner1_of_pair_0_1;
-      highwinner1_of_four_0_2 <= highwinner1_of_pair_0_2 when highwinner1_of_four_0_0_is_less else 0;
-      highwinner1_of_four_0_3 <= highwinner1_of_pair_0_3 when highwinner1_of_four_0_0_is_less else 0;
-      highwinner1_of_four_0_4 <= 0 when highwinner1_of_four_0_4_is_less else highwinner1_of_pair_0_4;
-      highwinner1_of_four_0_5 <= 0 when highwinner1_of_four_0_4_is_less else highwinner1_of_pair_0_5;
-      highwinner1_of_four_0_6 <= highwinner1_of_pair_0_6 when highwinner1_of_four_0_4_is_less else 0;
-      highwinner1_of_four_0_7 <= highwinner1_of_pair_0_7 when highwinner1_of_four_0_4_is_less else 0;
-      highwinner1_of_four_0_8 <= 0 when highwinner1_of_four_0_8_is_less else highwinner1_of_pair_0_8;
-      highwinner1_of_four_0_9 <= 0 when highwinner1_of_four_0_8_is_less else highwinner1_of_pair_0_9;
-      highwinner1_of_four_0_10 <= highwinner1_of_pair_0_10 when highwinner1_of_four_0_8_is_less else 0;
-      highwinner1_of_four_0_11 <= highwinner1_of_pair_0_11 when highwinner1_of_four_0_8_is_less else 0;
-      highwinner1_of_four_0_12 <= 0 when highwinner1_of_four_0_12_is_less else highwinner1_of_pair_0_12;
-      highwinner1_of_four_0_13 <= 0 when highwinner1_of_four_0_12_is_less else highwinner1_of_pair_0_13;
-      highwinner1_of_four_0_14 <= highwinner1_of_pair_0_14 when highwinner1_of_four_0_12_is_less else 0;
-      highwinner1_of_four_0_15 <= highwinner1_of_pair_0_15 when highwinner1_of_four_0_12_is_less else 0;
-      highwinner1_four_index_0_0 <= highwinner1_pair_index_0_1 when highwinner1_of_four_0_0_is_less else
-        as_number(highwinner1_pair_index_0_0);
-      highwinner1_four_index_0_1 <= highwinner1_pair_index_0_3 when highwinner1_of_four_0_4_is_less else
-        highwinner1_pair_index_0_2;
-      highwinner1_four_index_0_2 <= highwinner1_pair_index_0_5 when highwinner1_of_four_0_8_is_less else
-        highwinner1_pair_index_0_4;
-      highwinner1_four_index_0_3 <= highwinner1_pair_index_0_7 when highwinner1_of_four_0_12_is_less else
-        highwinner1_pair_index_0_6;
       highwinner1_best_cost_0_0 <= to_integer(((((((to_unsigned(highwinner1_of_four_0_2, 9)) or
         (to_unsigned(highwinner1_of_four_0_3, 9)))) or (to_unsigned(highwinner1_of_four_0_1, 9)))) or
         (to_unsigned(highwinner1_of_four_0_0, 9))));
@@ -8184,30 +12319,169 @@ begin
       highwinner1_best_index_0_1 <= highwinner1_four_index_0_1;
       highwinner1_best_index_0_2 <= highwinner1_four_index_0_2;
       highwinner1_best_index_0_3 <= highwinner1_four_index_0_3;
+      if highwinner1_of_pair_0_0_is_less then
+        highwinner1_of_pair_0_0 <= 0;
+        highwinner1_of_pair_0_1 <= highwindow_sum_0_1;
+      else
+        highwinner1_of_pair_0_0 <= highwindow_sum_0_0;
+        highwinner1_of_pair_0_1 <= 0;
+      end if;
+      if highwinner1_of_pair_0_2_is_less then
+        highwinner1_of_pair_0_2 <= 0;
+        highwinner1_of_pair_0_3 <= highwindow_sum_0_3;
+        highwinner1_pair_index_0_1 <= 3;
+      else
+        highwinner1_of_pair_0_2 <= highwindow_sum_0_2;
+        highwinner1_of_pair_0_3 <= 0;
+        highwinner1_pair_index_0_1 <= 2;
+      end if;
+      if highwinner1_of_pair_0_4_is_less then
+        highwinner1_of_pair_0_4 <= 0;
+        highwinner1_of_pair_0_5 <= highwindow_sum_0_5;
+        highwinner1_pair_index_0_2 <= 5;
+      else
+        highwinner1_of_pair_0_4 <= highwindow_sum_0_4;
+        highwinner1_of_pair_0_5 <= 0;
+        highwinner1_pair_index_0_2 <= 4;
+      end if;
+      if highwinner1_of_pair_0_6_is_less then
+        highwinner1_of_pair_0_6 <= 0;
+        highwinner1_of_pair_0_7 <= highwindow_sum_0_7;
+        highwinner1_pair_index_0_3 <= 7;
+      else
+        highwinner1_of_pair_0_6 <= highwindow_sum_0_6;
+        highwinner1_of_pair_0_7 <= 0;
+        highwinner1_pair_index_0_3 <= 6;
+      end if;
+      if highwinner1_of_pair_0_8_is_less then
+        highwinner1_of_pair_0_8 <= 0;
+        highwinner1_of_pair_0_9 <= highwindow_sum_0_9;
+        highwinner1_pair_index_0_4 <= 9;
+      else
+        highwinner1_of_pair_0_8 <= highwindow_sum_0_8;
+        highwinner1_of_pair_0_9 <= 0;
+        highwinner1_pair_index_0_4 <= 8;
+      end if;
+      if highwinner1_of_pair_0_10_is_less then
+        highwinner1_of_pair_0_10 <= 0;
+        highwinner1_of_pair_0_11 <= highwindow_sum_0_11;
+        highwinner1_pair_index_0_5 <= 11;
+      else
+        highwinner1_of_pair_0_10 <= highwindow_sum_0_10;
+        highwinner1_of_pair_0_11 <= 0;
+        highwinner1_pair_index_0_5 <= 10;
+      end if;
+      if highwinner1_of_pair_0_12_is_less then
+        highwinner1_of_pair_0_12 <= 0;
+        highwinner1_of_pair_0_13 <= highwindow_sum_0_13;
+        highwinner1_pair_index_0_6 <= 13;
+      else
+        highwinner1_of_pair_0_12 <= highwindow_sum_0_12;
+        highwinner1_of_pair_0_13 <= 0;
+        highwinner1_pair_index_0_6 <= 12;
+      end if;
+      if highwinner1_of_pair_0_14_is_less then
+        highwinner1_of_pair_0_14 <= 0;
+        highwinner1_of_pair_0_15 <= highwindow_sum_0_15;
+        highwinner1_pair_index_0_7 <= 15;
+      else
+        highwinner1_of_pair_0_14 <= highwindow_sum_0_14;
+        highwinner1_of_pair_0_15 <= 0;
+        highwinner1_pair_index_0_7 <= 14;
+      end if;
+      if highwinner1_of_four_0_0_is_less then
+        highwinner1_of_four_0_0 <= 0;
+        highwinner1_of_four_0_1 <= 0;
+        highwinner1_of_four_0_2 <= highwinner1_of_pair_0_2;
+        highwinner1_of_four_0_3 <= highwinner1_of_pair_0_3;
+        highwinner1_four_index_0_0 <= highwinner1_pair_index_0_1;
+      else
+        highwinner1_of_four_0_0 <= highwinner1_of_pair_0_0;
+        highwinner1_of_four_0_1 <= highwinner1_of_pair_0_1;
+        highwinner1_of_four_0_2 <= 0;
+        highwinner1_of_four_0_3 <= 0;
+        highwinner1_four_index_0_0 <= as_number(highwinner1_pair_index_0_0);
+      end if;
+      if highwinner1_of_four_0_4_is_less then
+        highwinner1_of_four_0_4 <= 0;
+        highwinner1_of_four_0_5 <= 0;
+        highwinner1_of_four_0_6 <= highwinner1_of_pair_0_6;
+        highwinner1_of_four_0_7 <= highwinner1_of_pair_0_7;
+        highwinner1_four_index_0_1 <= highwinner1_pair_index_0_3;
+      else
+        highwinner1_of_four_0_4 <= highwinner1_of_pair_0_4;
+        highwinner1_of_four_0_5 <= highwinner1_of_pair_0_5;
+        highwinner1_of_four_0_6 <= 0;
+        highwinner1_of_four_0_7 <= 0;
+        highwinner1_four_index_0_1 <= highwinner1_pair_index_0_2;
+      end if;
+      if highwinner1_of_four_0_8_is_less then
+        highwinner1_of_four_0_8 <= 0;
+        highwinner1_of_four_0_9 <= 0;
+        highwinner1_of_four_0_10 <= highwinner1_of_pair_0_10;
+        highwinner1_of_four_0_11 <= highwinner1_of_pair_0_11;
+        highwinner1_four_index_0_2 <= highwinner1_pair_index_0_5;
+      else
+        highwinner1_of_four_0_8 <= highwinner1_of_pair_0_8;
+        highwinner1_of_four_0_9 <= highwinner1_of_pair_0_9;
+        highwinner1_of_four_0_10 <= 0;
+        highwinner1_of_four_0_11 <= 0;
+        highwinner1_four_index_0_2 <= highwinner1_pair_index_0_4;
+      end if;
+      if highwinner1_of_four_0_12_is_less then
+        highwinner1_of_four_0_12 <= 0;
+        highwinner1_of_four_0_13 <= 0;
+        highwinner1_of_four_0_14 <= highwinner1_of_pair_0_14;
+        highwinner1_of_four_0_15 <= highwinner1_of_pair_0_15;
+        highwinner1_four_index_0_3 <= highwinner1_pair_index_0_7;
+      else
+        highwinner1_of_four_0_12 <= highwinner1_of_pair_0_12;
+        highwinner1_of_four_0_13 <= highwinner1_of_pair_0_13;
+        highwinner1_of_four_0_14 <= 0;
+        highwinner1_of_four_0_15 <= 0;
+        highwinner1_four_index_0_3 <= highwinner1_pair_index_0_6;
+      end if;
       -- highwinner2
       highwinner2_of_pair_0_0_is_less := (highwinner1_best_cost_0_1 - highwinner1_best_cost_0_0) < 0;
       highwinner2_of_pair_0_2_is_less := (highwinner1_best_cost_0_3 - highwinner1_best_cost_0_2) < 0;
       highwinner2_of_four_0_0_is_less := (to_integer(((to_unsigned(highwinner2_of_pair_0_2, 9)) or
         (to_unsigned(highwinner2_of_pair_0_3, 9)))) - to_integer(((to_unsigned(highwinner2_of_pair_0_0, 9)) or
         (to_unsigned(highwinner2_of_pair_0_1, 9))))) < 0;
-      highwinner2_of_pair_0_0 <= 0 when highwinner2_of_pair_0_0_is_less else highwinner1_best_cost_0_0;
-      highwinner2_of_pair_0_1 <= highwinner1_best_cost_0_1 when highwinner2_of_pair_0_0_is_less else 0;
-      highwinner2_of_pair_0_2 <= 0 when highwinner2_of_pair_0_2_is_less else highwinner1_best_cost_0_2;
-      highwinner2_of_pair_0_3 <= highwinner1_best_cost_0_3 when highwinner2_of_pair_0_2_is_less else 0;
-      highwinner2_pair_index_0_0 <= highwinner1_best_index_0_1 when highwinner2_of_pair_0_0_is_less else
-        highwinner1_best_index_0_0;
-      highwinner2_pair_index_0_1 <= highwinner1_best_index_0_3 when highwinner2_of_pair_0_2_is_less else
-        highwinner1_best_index_0_2;
-      highwinner2_of_four_0_0 <= 0 when highwinner2_of_four_0_0_is_less else highwinner2_of_pair_0_0;
-      highwinner2_of_four_0_1 <= 0 when highwinner2_of_four_0_0_is_less else highwinner2_of_pair_0_1;
-      highwinner2_of_four_0_2 <= highwinner2_of_pair_0_2 when highwinner2_of_four_0_0_is_less else 0;
-      highwinner2_of_four_0_3 <= highwinner2_of_pair_0_3 when highwinner2_of_four_0_0_is_less else 0;
-      highwinner2_four_index_0_0 <= highwinner2_pair_index_0_1 when highwinner2_of_four_0_0_is_less else
-        highwinner2_pair_index_0_0;
       highwinner2_best_cost_0_0 <= to_integer(((((((to_unsigned(highwinner2_of_four_0_2, 9)) or
         (to_unsigned(highwinner2_of_four_0_3, 9)))) or (to_unsigned(highwinner2_of_four_0_1, 9)))) or
         (to_unsigned(highwinner2_of_four_0_0, 9))));
       highwinner2_best_index_0_0 <= highwinner2_four_index_0_0;
+      if highwinner2_of_pair_0_0_is_less then
+        highwinner2_of_pair_0_0 <= 0;
+        highwinner2_of_pair_0_1 <= highwinner1_best_cost_0_1;
+        highwinner2_pair_index_0_0 <= highwinner1_best_index_0_1;
+      else
+        highwinner2_of_pair_0_0 <= highwinner1_best_cost_0_0;
+        highwinner2_of_pair_0_1 <= 0;
+        highwinner2_pair_index_0_0 <= highwinner1_best_index_0_0;
+      end if;
+      if highwinner2_of_pair_0_2_is_less then
+        highwinner2_of_pair_0_2 <= 0;
+        highwinner2_of_pair_0_3 <= highwinner1_best_cost_0_3;
+        highwinner2_pair_index_0_1 <= highwinner1_best_index_0_3;
+      else
+        highwinner2_of_pair_0_2 <= highwinner1_best_cost_0_2;
+        highwinner2_of_pair_0_3 <= 0;
+        highwinner2_pair_index_0_1 <= highwinner1_best_index_0_2;
+      end if;
+      if highwinner2_of_four_0_0_is_less then
+        highwinner2_of_four_0_0 <= 0;
+        highwinner2_of_four_0_1 <= 0;
+        highwinner2_of_four_0_2 <= highwinner2_of_pair_0_2;
+        highwinner2_of_four_0_3 <= highwinner2_of_pair_0_3;
+        highwinner2_four_index_0_0 <= highwinner2_pair_index_0_1;
+      else
+        highwinner2_of_four_0_0 <= highwinner2_of_pair_0_0;
+        highwinner2_of_four_0_1 <= highwinner2_of_pair_0_1;
+        highwinner2_of_four_0_2 <= 0;
+        highwinner2_of_four_0_3 <= 0;
+        highwinner2_four_index_0_0 <= highwinner2_pair_index_0_0;
+      end if;
       -- centre
       if bases_stands_valid then
         centre_held_0_1 <= bases_from_0_2;
@@ -8254,13 +12528,17 @@ begin
       centre_line_1_18 <= centre_line_1_17;
       -- choice
       choice_best_index_0_0_is_less := (highwinner2_best_cost_0_0 - lowwinner2_best_cost_0_0) < 0;
-      choice_best_index_0_0 <= highwinner2_best_index_0_0 when choice_best_index_0_0_is_less else
-        lowwinner2_best_index_0_0;
       choice_best_tag_valid <= lowwinner2_tag_valid;
       choice_best_tag_output_column <= lowwinner2_tag_output_column;
       choice_best_tag_start_of_frame <= lowwinner2_tag_start_of_frame;
       choice_best_tag_end_of_line <= lowwinner2_tag_end_of_line;
-      choice_base <= centre_line_1_18 when choice_best_index_0_0_is_less else centre_line_0_18;
+      if choice_best_index_0_0_is_less then
+        choice_best_index_0_0 <= highwinner2_best_index_0_0;
+        choice_base <= centre_line_1_18;
+      else
+        choice_best_index_0_0 <= lowwinner2_best_index_0_0;
+        choice_base <= centre_line_0_18;
+      end if;
       -- map
       map_disparity_0 <= (choice_best_index_0_0 + choice_base) mod 256;
       map_passed_0 <= true;
@@ -8268,7 +12546,11 @@ begin
       map_start_of_frame <= choice_best_tag_start_of_frame and choice_best_tag_valid and choice_best_tag_output_column;
       map_end_of_line <= choice_best_tag_end_of_line and choice_best_tag_valid and choice_best_tag_output_column;
       -- other
-      other_20_choice := 15 when coarsetransform_centre_group_any else 11;
+      if coarsetransform_centre_group_any then
+        other_20_choice := 15;
+      else
+        other_20_choice := 11;
+      end if;
       other_0 <= as_number(((transform_right_code_next_row_before_0 - transform_right_code_next_row_after_0) < 0)) *
         524288;
       other_1 <= as_number((((other_2 / 2) - transform_right_code_next_row_centre_0) < 0)) * 524288;

@@ -588,278 +588,452 @@ architecture rtl of stereo_core_parts_320 is
   signal other_13, other_17 : natural range 0 to 65534;
   signal other_14, other_15, other_18, other_19 : natural range 0 to 8192;
   signal other_16, other_20 : natural range 0 to 2042;
+  signal slice1window_leaving_2_memory_read_enable : boolean;
+  signal slice1window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_2_memory_write_data : unsigned(31 downto 0);
+  signal slice1window_leaving_1_memory_read_enable : boolean;
+  signal slice1window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_1_memory_write_data : unsigned(31 downto 0);
+  signal slice1window_leaving_0_memory_read_enable : boolean;
+  signal slice1window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice1window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(31 downto 0);
+  signal slice1cost_read_words_2_memory_read_enable : boolean;
+  signal slice1cost_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_2_memory_write_data : unsigned(31 downto 0);
+  signal slice1cost_read_words_1_memory_read_enable : boolean;
+  signal slice1cost_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal slice1cost_read_words_0_memory_read_enable : boolean;
+  signal slice1cost_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice1cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice1cost_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal slice0window_leaving_2_memory_read_enable : boolean;
+  signal slice0window_leaving_2_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_2_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_2_memory_write_data : unsigned(31 downto 0);
+  signal slice0window_leaving_1_memory_read_enable : boolean;
+  signal slice0window_leaving_1_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_1_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_1_memory_write_data : unsigned(31 downto 0);
+  signal slice0window_leaving_0_memory_read_enable : boolean;
+  signal slice0window_leaving_0_memory_read_address : unsigned(3 downto 0);
+  signal slice0window_leaving_0_memory_write_address : unsigned(3 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(31 downto 0);
+  signal slice0cost_read_words_2_memory_read_enable : boolean;
+  signal slice0cost_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_2_memory_write_data : unsigned(31 downto 0);
+  signal slice0cost_read_words_1_memory_read_enable : boolean;
+  signal slice0cost_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal slice0cost_read_words_0_memory_read_enable : boolean;
+  signal slice0cost_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal slice0cost_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_4_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_4_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_4_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_4_memory_write_data : unsigned(11 downto 0);
+  signal rows_search_rows_read_words_3_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_4_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_4_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_4_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_4_memory_write_data : unsigned(11 downto 0);
+  signal rows_reference_rows_read_words_3_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_3_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_3_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_3_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_2_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_2_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(4 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(4 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(11 downto 0);
+  signal transform_left_rows_read_words_2_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal transform_left_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal transform_left_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal transform_left_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal transform_left_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal transform_left_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_2_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_2_memory_read_address : unsigned(8 downto 0);
+  signal transform_right_rows_read_words_2_memory_write_address : unsigned(8 downto 0);
   signal transform_right_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal transform_right_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_1_memory_read_address : unsigned(8 downto 0);
+  signal transform_right_rows_read_words_1_memory_write_address : unsigned(8 downto 0);
   signal transform_right_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(8 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(8 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  slice1window_leaving_2_memory_read_enable <= true;
+  slice1window_leaving_2_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_2_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_2_memory_write_data <= to_unsigned(slice1cost_column_0_11, 8) & to_unsigned(slice1cost_column_0_10, 8) & to_unsigned(slice1cost_column_0_9, 8) & to_unsigned(slice1cost_column_0_8, 8);
   slice1window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_2,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_2_memory_read_enable,
+      read_address => slice1window_leaving_2_memory_read_address, read_data => slice1window_leaving_2,
+      write_address => slice1window_leaving_2_memory_write_address, write_data => slice1window_leaving_2_memory_write_data);
 
+  slice1window_leaving_1_memory_read_enable <= true;
+  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0_7, 8) & to_unsigned(slice1cost_column_0_6, 8) & to_unsigned(slice1cost_column_0_5, 8) & to_unsigned(slice1cost_column_0_4, 8);
   slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_1,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
+      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving_1,
+      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
 
+  slice1window_leaving_0_memory_read_enable <= true;
+  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 4);
+  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 4);
   slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_3, 8) & to_unsigned(slice1cost_column_0_2, 8) & to_unsigned(slice1cost_column_0_1, 8) & to_unsigned(slice1cost_column_0_0, 8);
   slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_0,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
+      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving_0,
+      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
 
+  slice1cost_read_words_2_memory_read_enable <= true;
+  slice1cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
+  slice1cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
   slice1cost_read_words_2_memory_write_data <= slice1cost_write_words_2;
   slice1cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_2,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_2_memory_read_enable,
+      read_address => slice1cost_read_words_2_memory_read_address, read_data => slice1cost_read_words_2,
+      write_address => slice1cost_read_words_2_memory_write_address, write_data => slice1cost_read_words_2_memory_write_data);
 
+  slice1cost_read_words_1_memory_read_enable <= true;
+  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
+  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
   slice1cost_read_words_1_memory_write_data <= slice1cost_write_words_1;
   slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
+      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words_1,
+      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
 
+  slice1cost_read_words_0_memory_read_enable <= true;
+  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 9);
+  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_write_column, 9);
   slice1cost_read_words_0_memory_write_data <= slice1cost_write_words_0;
   slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
+      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words_0,
+      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
 
+  slice0window_leaving_2_memory_read_enable <= true;
+  slice0window_leaving_2_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_2_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_2_memory_write_data <= to_unsigned(slice0cost_column_0_11, 8) & to_unsigned(slice0cost_column_0_10, 8) & to_unsigned(slice0cost_column_0_9, 8) & to_unsigned(slice0cost_column_0_8, 8);
   slice0window_leaving_2_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_2,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_2_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_2_memory_read_enable,
+      read_address => slice0window_leaving_2_memory_read_address, read_data => slice0window_leaving_2,
+      write_address => slice0window_leaving_2_memory_write_address, write_data => slice0window_leaving_2_memory_write_data);
 
+  slice0window_leaving_1_memory_read_enable <= true;
+  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0_7, 8) & to_unsigned(slice0cost_column_0_6, 8) & to_unsigned(slice0cost_column_0_5, 8) & to_unsigned(slice0cost_column_0_4, 8);
   slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_1,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
+      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving_1,
+      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
 
+  slice0window_leaving_0_memory_read_enable <= true;
+  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 4);
+  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 4);
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_3, 8) & to_unsigned(slice0cost_column_0_2, 8) & to_unsigned(slice0cost_column_0_1, 8) & to_unsigned(slice0cost_column_0_0, 8);
   slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
+      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
+  slice0cost_read_words_2_memory_read_enable <= true;
+  slice0cost_read_words_2_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_2_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
   slice0cost_read_words_2_memory_write_data <= slice0cost_write_words_2;
   slice0cost_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_2,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_2_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_2_memory_read_enable,
+      read_address => slice0cost_read_words_2_memory_read_address, read_data => slice0cost_read_words_2,
+      write_address => slice0cost_read_words_2_memory_write_address, write_data => slice0cost_read_words_2_memory_write_data);
 
+  slice0cost_read_words_1_memory_read_enable <= true;
+  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
   slice0cost_read_words_1_memory_write_data <= slice0cost_write_words_1;
   slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
+      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words_1,
+      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
 
+  slice0cost_read_words_0_memory_read_enable <= true;
+  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 9);
+  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_ready_column, 9);
   slice0cost_read_words_0_memory_write_data <= slice0cost_write_words_0;
   slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
+      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words_0,
+      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_4_memory_read_enable <= true;
+  rows_search_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_4_memory_write_data <= to_unsigned(rows_search_rows_write_words_4, 12);
   rows_search_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 320, width => 12)
+    generic map (depth => 320, width => 12, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_4,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_4_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_4_memory_read_enable,
+      read_address => rows_search_rows_read_words_4_memory_read_address, read_data => rows_search_rows_read_words_4,
+      write_address => rows_search_rows_read_words_4_memory_write_address, write_data => rows_search_rows_read_words_4_memory_write_data);
 
+  rows_search_rows_read_words_3_memory_read_enable <= true;
+  rows_search_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_3_memory_write_data <= to_unsigned(rows_search_rows_write_words_3, 24);
   rows_search_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_3,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_3_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_3_memory_read_enable,
+      read_address => rows_search_rows_read_words_3_memory_read_address, read_data => rows_search_rows_read_words_3,
+      write_address => rows_search_rows_read_words_3_memory_write_address, write_data => rows_search_rows_read_words_3_memory_write_data);
 
+  rows_search_rows_read_words_2_memory_read_enable <= true;
+  rows_search_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_2_memory_write_data <= to_unsigned(rows_search_rows_write_words_2, 24);
   rows_search_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_2_memory_read_enable,
+      read_address => rows_search_rows_read_words_2_memory_read_address, read_data => rows_search_rows_read_words_2,
+      write_address => rows_search_rows_read_words_2_memory_write_address, write_data => rows_search_rows_read_words_2_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_4_memory_read_enable <= true;
+  rows_reference_rows_read_words_4_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_4_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_4_memory_write_data <= to_unsigned(rows_reference_rows_write_words_4, 12);
   rows_reference_rows_read_words_4_memory : entity work.line_memory
-    generic map (depth => 320, width => 12)
+    generic map (depth => 320, width => 12, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_4,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_4_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_4_memory_read_enable,
+      read_address => rows_reference_rows_read_words_4_memory_read_address, read_data => rows_reference_rows_read_words_4,
+      write_address => rows_reference_rows_read_words_4_memory_write_address, write_data => rows_reference_rows_read_words_4_memory_write_data);
 
+  rows_reference_rows_read_words_3_memory_read_enable <= true;
+  rows_reference_rows_read_words_3_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_3_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_3_memory_write_data <= to_unsigned(rows_reference_rows_write_words_3, 24);
   rows_reference_rows_read_words_3_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_3,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_3_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_3_memory_read_enable,
+      read_address => rows_reference_rows_read_words_3_memory_read_address, read_data => rows_reference_rows_read_words_3,
+      write_address => rows_reference_rows_read_words_3_memory_write_address, write_data => rows_reference_rows_read_words_3_memory_write_data);
 
+  rows_reference_rows_read_words_2_memory_read_enable <= true;
+  rows_reference_rows_read_words_2_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_2_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_2_memory_write_data <= to_unsigned(rows_reference_rows_write_words_2, 24);
   rows_reference_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_2,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_2_memory_read_enable,
+      read_address => rows_reference_rows_read_words_2_memory_read_address, read_data => rows_reference_rows_read_words_2,
+      write_address => rows_reference_rows_read_words_2_memory_write_address, write_data => rows_reference_rows_read_words_2_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 9);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 9);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 24)
+    generic map (depth => 320, width => 24, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 5);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 5);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 12);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 24, width => 12)
+    generic map (depth => 24, width => 12, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
+  transform_left_rows_read_words_2_memory_read_enable <= true;
+  transform_left_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 9);
+  transform_left_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 9);
   transform_left_rows_read_words_2_memory_write_data <= to_unsigned(transform_left_rows_write_words_2, 8);
   transform_left_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 8)
+    generic map (depth => 320, width => 8, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_2,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_2_memory_read_enable,
+      read_address => transform_left_rows_read_words_2_memory_read_address, read_data => transform_left_rows_read_words_2,
+      write_address => transform_left_rows_read_words_2_memory_write_address, write_data => transform_left_rows_read_words_2_memory_write_data);
 
+  transform_left_rows_read_words_1_memory_read_enable <= true;
+  transform_left_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 9);
+  transform_left_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 9);
   transform_left_rows_read_words_1_memory_write_data <= transform_left_rows_write_words_1;
   transform_left_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_1_memory_read_enable,
+      read_address => transform_left_rows_read_words_1_memory_read_address, read_data => transform_left_rows_read_words_1,
+      write_address => transform_left_rows_read_words_1_memory_write_address, write_data => transform_left_rows_read_words_1_memory_write_data);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
   transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_2_memory_read_enable <= true;
+  transform_right_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 9);
+  transform_right_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 9);
   transform_right_rows_read_words_2_memory_write_data <= to_unsigned(transform_right_rows_write_words_2, 8);
   transform_right_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 320, width => 8)
+    generic map (depth => 320, width => 8, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_2,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_2_memory_read_enable,
+      read_address => transform_right_rows_read_words_2_memory_read_address, read_data => transform_right_rows_read_words_2,
+      write_address => transform_right_rows_read_words_2_memory_write_address, write_data => transform_right_rows_read_words_2_memory_write_data);
 
+  transform_right_rows_read_words_1_memory_read_enable <= true;
+  transform_right_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 9);
+  transform_right_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 9);
   transform_right_rows_read_words_1_memory_write_data <= transform_right_rows_write_words_1;
   transform_right_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_1_memory_read_enable,
+      read_address => transform_right_rows_read_words_1_memory_read_address, read_data => transform_right_rows_read_words_1,
+      write_address => transform_right_rows_read_words_1_memory_write_address, write_data => transform_right_rows_read_words_1_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 9);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 9);
   transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 320, width => 32)
+    generic map (depth => 320, width => 32, address_bits => 9)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -977,24 +1151,39 @@ begin
       transform_counter_group_is_equal := transform_counter_column = 319;
       transform_counter_group_is_equal_2 := transform_counter_group = 239;
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      transform_counter_group_choice := 15 when transform_counter_group_all else 0;
+      if transform_counter_group_all then
+        transform_counter_group_choice := 15;
+      else
+        transform_counter_group_choice := 0;
+      end if;
       transform_counter_group_is_equal_3 := (transform_counter_group / 16) = 15;
       transform_counter_group_differs := (transform_counter_group mod 16) /= 4;
-      transform_counter_group_choice_2 := transform_counter_group_differs and in_valid and
-        transform_counter_group_is_equal when transform_counter_group_is_equal_3 else in_valid and
-        transform_counter_group_is_equal;
+      if transform_counter_group_is_equal_3 then
+        transform_counter_group_choice_2 := transform_counter_group_differs and in_valid and
+          transform_counter_group_is_equal;
+      else
+        transform_counter_group_choice_2 := in_valid and transform_counter_group_is_equal;
+      end if;
       transform_counter_group_is_equal_4 := transform_counter_group = 243;
-      transform_counter_group_choice_3 := 4 when transform_counter_group_is_equal_4 and transform_counter_next_frame
-        else (transform_counter_group + 1) mod 256;
-      transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_choice_2 else
-        transform_counter_group;
+      if transform_counter_group_is_equal_4 and transform_counter_next_frame then
+        transform_counter_group_choice_3 := 4;
+      else
+        transform_counter_group_choice_3 := (transform_counter_group + 1) mod 256;
+      end if;
+      if transform_counter_group_choice_2 then
+        transform_counter_group_choice_4 := transform_counter_group_choice_3;
+      else
+        transform_counter_group_choice_4 := transform_counter_group;
+      end if;
       transform_centre_column_is_less := 3 < transform_counter_column;
-      transform_centre_column_choice := 127 when transform_centre_column_is_less else 79;
+      if transform_centre_column_is_less then
+        transform_centre_column_choice := 127;
+      else
+        transform_centre_column_choice := 79;
+      end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice * 16 when in_valid and in_start_of_frame else
-        transform_counter_group_choice_4;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_words_1 <= transform_left_rows_read_words_1;
@@ -1087,7 +1276,6 @@ begin
         transform_left_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_left_code_row_even_1 -
         transform_left_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_left_code_row_even_1 +
         transform_left_code_row_odd_2) mod 16384) / 8192) * 16);
-      transform_left_code_bits <= transform_left_code_earlier_1 when transform_filtering_6_inside_0 else 0;
       transform_left_code_next_column_box_0_0_0 <= transform_left_column_0 + transform_left_column_1;
       transform_left_code_next_column_box_0_1_0 <= transform_left_column_2 + transform_left_column_3;
       transform_left_code_next_column_box_0_2_0 <= transform_left_column_4 + transform_left_column_5;
@@ -1152,7 +1340,6 @@ begin
         ((((transform_left_code_next_row_odd_1 - transform_left_code_next_row_even_2) mod 65536) / 32768) * 32) +
         ((((transform_left_code_next_row_even_1 - transform_left_code_next_row_odd_2) mod 65536) / 32768) * 4) +
         ((((transform_left_code_next_row_even_1 + transform_left_code_next_row_odd_2) mod 65536) / 32768) * 16);
-      transform_left_code_next_bits <= transform_left_code_next_row_signs when transform_filtering_6_inside_1 else 0;
       transform_right_code_column_box_0_0_0 <= transform_right_column_3;
       transform_right_code_column_box_0_1_0 <= transform_right_column_4;
       transform_right_code_column_box_0_2_0 <= transform_right_column_5;
@@ -1204,7 +1391,6 @@ begin
         ((((transform_right_code_row_odd_1 - transform_right_code_row_even_2) mod 16384) / 8192) * 32) +
         ((((transform_right_code_row_even_1 - transform_right_code_row_odd_2) mod 16384) / 8192) * 4) +
         ((((transform_right_code_row_even_1 + transform_right_code_row_odd_2) mod 16384) / 8192) * 16);
-      transform_right_code_bits <= transform_right_code_earlier_1 when transform_filtering_6_inside_0 else 0;
       transform_right_code_next_column_box_0_0_0 <= transform_right_column_0 + transform_right_column_1;
       transform_right_code_next_column_box_0_1_0 <= transform_right_column_2 + transform_right_column_3;
       transform_right_code_next_column_box_0_2_0 <= transform_right_column_4 + transform_right_column_5;
@@ -1269,7 +1455,6 @@ begin
         ((((transform_right_code_next_row_odd_1 - transform_right_code_next_row_even_2) mod 65536) / 32768) * 32) +
         ((((transform_right_code_next_row_even_1 - transform_right_code_next_row_odd_2) mod 65536) / 32768) * 4) +
         ((((transform_right_code_next_row_even_1 + transform_right_code_next_row_odd_2) mod 65536) / 32768) * 16);
-      transform_right_code_next_bits <= transform_right_code_next_row_signs when transform_filtering_6_inside_1 else 0;
       transform_filtering_0_inside_0 <= transform_columns_inside_0;
       transform_filtering_0_inside_1 <= transform_columns_inside_1;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -1300,16 +1485,47 @@ begin
       transform_filtering_6_valid <= transform_filtering_5_valid;
       transform_filtering_7_start_of_frame <= transform_filtering_6_start_of_frame;
       transform_filtering_7_valid <= transform_filtering_6_valid;
-      transform_counter_next_frame_choice := transform_counter_group_differs and transform_counter_group_is_equal when
-        transform_counter_group_is_equal_3 else transform_counter_group_is_equal;
-      transform_counter_next_frame_choice_2 := transform_counter_group_all when in_start_of_frame else
-        transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= transform_counter_group_choice * 16;
+      else
+        transform_counter_group <= transform_counter_group_choice_4;
+      end if;
+      if transform_filtering_6_inside_0 then
+        transform_left_code_bits <= transform_left_code_earlier_1;
+        transform_right_code_bits <= transform_right_code_earlier_1;
+      else
+        transform_left_code_bits <= 0;
+        transform_right_code_bits <= 0;
+      end if;
+      if transform_filtering_6_inside_1 then
+        transform_left_code_next_bits <= transform_left_code_next_row_signs;
+        transform_right_code_next_bits <= transform_right_code_next_row_signs;
+      else
+        transform_left_code_next_bits <= 0;
+        transform_right_code_next_bits <= 0;
+      end if;
+      if transform_counter_group_is_equal_3 then
+        transform_counter_next_frame_choice := transform_counter_group_differs and transform_counter_group_is_equal;
+      else
+        transform_counter_next_frame_choice := transform_counter_group_is_equal;
+      end if;
+      if in_start_of_frame then
+        transform_counter_next_frame_choice_2 := transform_counter_group_all;
+      else
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when in_start_of_frame or transform_counter_group_is_equal else
-          (transform_counter_column + 1) mod 512;
-        transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
-          in_start_of_frame when transform_counter_group_is_equal_4 and transform_counter_next_frame_choice else
-          transform_counter_next_frame_choice_2;
+        if in_start_of_frame or transform_counter_group_is_equal then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 512;
+        end if;
+        if transform_counter_group_is_equal_4 and transform_counter_next_frame_choice then
+          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+            in_start_of_frame;
+        else
+          transform_counter_next_frame <= transform_counter_next_frame_choice_2;
+        end if;
       end if;
       if (other_1 / 256) = 1 then
         transform_left_rows_write_words_0 <= transform_left_rows_ready_words_1(7 downto 0) &
@@ -1414,23 +1630,36 @@ begin
       end if;
       -- raster
       raster_place_group_is_equal := raster_place_column = 319;
-      raster_place_group_choice := transform_filtering_7_valid and raster_place_group_is_equal and (not
-        (((raster_place_group / 64) mod 2) = 1)) when ((raster_place_group mod 16) = 4) and ((raster_place_group / 128)
-        = 1) and (((raster_place_group / 16) mod 4) = 3) else transform_filtering_7_valid and
-        raster_place_group_is_equal;
+      if ((raster_place_group mod 16) = 4) and ((raster_place_group / 128) = 1) and (((raster_place_group / 16) mod 4)
+        = 3) then
+        raster_place_group_choice := transform_filtering_7_valid and raster_place_group_is_equal and (not
+          (((raster_place_group / 64) mod 2) = 1));
+      else
+        raster_place_group_choice := transform_filtering_7_valid and raster_place_group_is_equal;
+      end if;
       raster_features_search_0 <= (transform_left_code_next_bits * 64) + transform_left_code_bits;
       raster_features_reference_0 <= (transform_right_code_next_bits * 64) + transform_right_code_bits;
       raster_features_valid <= transform_filtering_7_valid;
-      raster_place_group <= 0 when transform_filtering_7_valid and transform_filtering_7_start_of_frame else
-        (raster_place_group + as_number(raster_place_group_choice)) mod 256;
+      if transform_filtering_7_valid and transform_filtering_7_start_of_frame then
+        raster_place_group <= 0;
+      else
+        raster_place_group <= (raster_place_group + as_number(raster_place_group_choice)) mod 256;
+      end if;
       if transform_filtering_7_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_7_start_of_frame else
-          (raster_place_column + 1) mod 512;
+        if raster_place_group_is_equal or transform_filtering_7_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 512;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 23 else (delay_ring_read_address + 1) mod 32;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 23 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 32;
+        end if;
       end if;
       delay_tag_first_cost_is_equal := raster_place_column = 23;
       delay_ahead_0 <= raster_features_search_0;
@@ -1488,10 +1717,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_newest_0 when rows_ready_inside_1 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_1 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_row_start <= rows_ready_tag_row_start;
       rows_tag_first_group <= rows_ready_tag_first_group;
@@ -1501,6 +1726,20 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 4096;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_newest_0;
+        rows_reference_1 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 4096) + ((rows_search_rows_ready_words_1
           mod 4096) * 4096);
@@ -1583,54 +1822,126 @@ begin
       slice0cost_pixels_first_1_0_value_8 := ((slice0shift_reference_1 / 128) mod 2) = 1;
       slice0cost_pixels_first_1_0_value_9 := ((slice0shift_reference_1 / 512) mod 2) = 1;
       slice0cost_pixels_first_1_0_value_10 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
-      slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_0(7 downto 0));
-      slice0cost_column_0_0_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_0 +
-        slice0cost_column_0_0_choice) mod 256;
-      slice0cost_column_0_1_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_0(15 downto 8));
-      slice0cost_column_0_1_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_1 +
-        slice0cost_column_0_1_choice) mod 256;
-      slice0cost_column_0_2_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_0(23 downto 16));
-      slice0cost_column_0_2_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_2 +
-        slice0cost_column_0_2_choice) mod 256;
-      slice0cost_column_0_3_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_0(31 downto 24));
-      slice0cost_column_0_3_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_3 +
-        slice0cost_column_0_3_choice) mod 256;
-      slice0cost_column_0_4_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_1(7 downto 0));
-      slice0cost_column_0_4_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_4 +
-        slice0cost_column_0_4_choice) mod 256;
-      slice0cost_column_0_5_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_1(15 downto 8));
-      slice0cost_column_0_5_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_5 +
-        slice0cost_column_0_5_choice) mod 256;
-      slice0cost_column_0_6_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_1(23 downto 16));
-      slice0cost_column_0_6_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_6 +
-        slice0cost_column_0_6_choice) mod 256;
-      slice0cost_column_0_7_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_1(31 downto 24));
-      slice0cost_column_0_7_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_7 +
-        slice0cost_column_0_7_choice) mod 256;
-      slice0cost_column_0_8_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_2(7 downto 0));
-      slice0cost_column_0_8_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_8 +
-        slice0cost_column_0_8_choice) mod 256;
-      slice0cost_column_0_9_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_2(15 downto 8));
-      slice0cost_column_0_9_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_9 +
-        slice0cost_column_0_9_choice) mod 256;
-      slice0cost_column_0_10_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_2(23 downto 16));
-      slice0cost_column_0_10_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_change_0_10 +
-        slice0cost_column_0_10_choice) mod 256;
-      slice0cost_column_0_11_choice := 0 when slice0cost_ready_tag_first_group else
-        to_integer(slice0cost_ready_words_2(31 downto 24));
-      slice0cost_column_0_11_choice_2 := 0 when slice0cost_ready_tag_border_column else (slice0cost_column_0_11_choice
-        + slice0cost_change_0_11) mod 256;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_0_choice := 0;
+      else
+        slice0cost_column_0_0_choice := to_integer(slice0cost_ready_words_0(7 downto 0));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_0_choice_2 := 0;
+      else
+        slice0cost_column_0_0_choice_2 := (slice0cost_change_0_0 + slice0cost_column_0_0_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_1_choice := 0;
+      else
+        slice0cost_column_0_1_choice := to_integer(slice0cost_ready_words_0(15 downto 8));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_1_choice_2 := 0;
+      else
+        slice0cost_column_0_1_choice_2 := (slice0cost_change_0_1 + slice0cost_column_0_1_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_2_choice := 0;
+      else
+        slice0cost_column_0_2_choice := to_integer(slice0cost_ready_words_0(23 downto 16));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_2_choice_2 := 0;
+      else
+        slice0cost_column_0_2_choice_2 := (slice0cost_change_0_2 + slice0cost_column_0_2_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_3_choice := 0;
+      else
+        slice0cost_column_0_3_choice := to_integer(slice0cost_ready_words_0(31 downto 24));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_3_choice_2 := 0;
+      else
+        slice0cost_column_0_3_choice_2 := (slice0cost_change_0_3 + slice0cost_column_0_3_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_4_choice := 0;
+      else
+        slice0cost_column_0_4_choice := to_integer(slice0cost_ready_words_1(7 downto 0));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_4_choice_2 := 0;
+      else
+        slice0cost_column_0_4_choice_2 := (slice0cost_change_0_4 + slice0cost_column_0_4_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_5_choice := 0;
+      else
+        slice0cost_column_0_5_choice := to_integer(slice0cost_ready_words_1(15 downto 8));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_5_choice_2 := 0;
+      else
+        slice0cost_column_0_5_choice_2 := (slice0cost_change_0_5 + slice0cost_column_0_5_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_6_choice := 0;
+      else
+        slice0cost_column_0_6_choice := to_integer(slice0cost_ready_words_1(23 downto 16));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_6_choice_2 := 0;
+      else
+        slice0cost_column_0_6_choice_2 := (slice0cost_change_0_6 + slice0cost_column_0_6_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_7_choice := 0;
+      else
+        slice0cost_column_0_7_choice := to_integer(slice0cost_ready_words_1(31 downto 24));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_7_choice_2 := 0;
+      else
+        slice0cost_column_0_7_choice_2 := (slice0cost_change_0_7 + slice0cost_column_0_7_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_8_choice := 0;
+      else
+        slice0cost_column_0_8_choice := to_integer(slice0cost_ready_words_2(7 downto 0));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_8_choice_2 := 0;
+      else
+        slice0cost_column_0_8_choice_2 := (slice0cost_change_0_8 + slice0cost_column_0_8_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_9_choice := 0;
+      else
+        slice0cost_column_0_9_choice := to_integer(slice0cost_ready_words_2(15 downto 8));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_9_choice_2 := 0;
+      else
+        slice0cost_column_0_9_choice_2 := (slice0cost_change_0_9 + slice0cost_column_0_9_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_10_choice := 0;
+      else
+        slice0cost_column_0_10_choice := to_integer(slice0cost_ready_words_2(23 downto 16));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_10_choice_2 := 0;
+      else
+        slice0cost_column_0_10_choice_2 := (slice0cost_change_0_10 + slice0cost_column_0_10_choice) mod 256;
+      end if;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_11_choice := 0;
+      else
+        slice0cost_column_0_11_choice := to_integer(slice0cost_ready_words_2(31 downto 24));
+      end if;
+      if slice0cost_ready_tag_border_column then
+        slice0cost_column_0_11_choice_2 := 0;
+      else
+        slice0cost_column_0_11_choice_2 := (slice0cost_column_0_11_choice + slice0cost_change_0_11) mod 256;
+      end if;
       slice0cost_pixels_first_0_0 <= ((as_number((slice0cost_pixels_first_0_0_value /= (((slice0shift_search_0_0 / 8)
         mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_value_2 /= (((slice0shift_search_0_0 / 32) mod 2) = 1)))
         + as_number((slice0cost_pixels_first_0_0_value_3 /= (((slice0shift_search_0_0 / 16) mod 2) = 1)))) * 4) +
@@ -2076,11 +2387,18 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
       if slice0shift_tag_valid then
-        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 512;
+        if slice0shift_tag_row_start then
+          slice0cost_read_column <= 0;
+        else
+          slice0cost_read_column <= (slice0cost_read_column + 1) mod 512;
+        end if;
       end if;
       if slice0cost_pixels_first_tag_valid then
-        slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
-          mod 512;
+        if slice0cost_pixels_first_tag_row_start then
+          slice0cost_change_column <= 0;
+        else
+          slice0cost_change_column <= (slice0cost_change_column + 1) mod 512;
+        end if;
       end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_words_0 <= to_unsigned(slice0cost_column_0_3_choice_2, 8) &
@@ -2095,9 +2413,12 @@ begin
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 9 else
-          (slice0window_ring_read_address + 1) mod 16;
         slice0window_ring_write_address <= slice0window_ring_read_address;
+        if slice0window_ring_read_address = 9 then
+          slice0window_ring_read_address <= 0;
+        else
+          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice0window_entering_tag_leaves_window then
         slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(7 downto 0));
@@ -2200,18 +2521,66 @@ begin
       slice0window_centre_start_of_frame_0 <= slice0window_change_tag_start_of_frame;
       slice0window_centre_end_of_line_0 <= slice0window_change_tag_end_of_line;
       slice0window_tag_valid <= slice0window_change_tag_valid;
-      slice0window_sum_0_0_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_0;
-      slice0window_sum_0_1_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_1;
-      slice0window_sum_0_2_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_2;
-      slice0window_sum_0_3_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_3;
-      slice0window_sum_0_4_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_4;
-      slice0window_sum_0_5_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_5;
-      slice0window_sum_0_6_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_6;
-      slice0window_sum_0_7_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_7;
-      slice0window_sum_0_8_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_8;
-      slice0window_sum_0_9_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_9;
-      slice0window_sum_0_10_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_10;
-      slice0window_sum_0_11_choice := 0 when slice0window_change_tag_first_cost else slice0window_sum_0_11;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_0_choice := 0;
+      else
+        slice0window_sum_0_0_choice := slice0window_sum_0_0;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_1_choice := 0;
+      else
+        slice0window_sum_0_1_choice := slice0window_sum_0_1;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_2_choice := 0;
+      else
+        slice0window_sum_0_2_choice := slice0window_sum_0_2;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_3_choice := 0;
+      else
+        slice0window_sum_0_3_choice := slice0window_sum_0_3;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_4_choice := 0;
+      else
+        slice0window_sum_0_4_choice := slice0window_sum_0_4;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_5_choice := 0;
+      else
+        slice0window_sum_0_5_choice := slice0window_sum_0_5;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_6_choice := 0;
+      else
+        slice0window_sum_0_6_choice := slice0window_sum_0_6;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_7_choice := 0;
+      else
+        slice0window_sum_0_7_choice := slice0window_sum_0_7;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_8_choice := 0;
+      else
+        slice0window_sum_0_8_choice := slice0window_sum_0_8;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_9_choice := 0;
+      else
+        slice0window_sum_0_9_choice := slice0window_sum_0_9;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_10_choice := 0;
+      else
+        slice0window_sum_0_10_choice := slice0window_sum_0_10;
+      end if;
+      if slice0window_change_tag_first_cost then
+        slice0window_sum_0_11_choice := 0;
+      else
+        slice0window_sum_0_11_choice := slice0window_sum_0_11;
+      end if;
       if slice0window_change_tag_valid then
         slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 2048;
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 2048;
@@ -2239,36 +2608,7 @@ begin
       slice0winner1_best_cost_0_3_is_less := (slice0window_sum_0_7 - slice0window_sum_0_6) < 0;
       slice0winner1_best_cost_0_4_is_less := (slice0window_sum_0_9 - slice0window_sum_0_8) < 0;
       slice0winner1_best_cost_0_5_is_less := (slice0window_sum_0_11 - slice0window_sum_0_10) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
-      slice0winner1_best_cost_0_3 <= slice0window_sum_0_7 when slice0winner1_best_cost_0_3_is_less else
-        slice0window_sum_0_6;
-      slice0winner1_best_cost_0_4 <= slice0window_sum_0_9 when slice0winner1_best_cost_0_4_is_less else
-        slice0window_sum_0_8;
-      slice0winner1_best_cost_0_5 <= slice0window_sum_0_11 when slice0winner1_best_cost_0_5_is_less else
-        slice0window_sum_0_10;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_index_0_3 <= 7 when slice0winner1_best_cost_0_3_is_less else 6;
-      slice0winner1_best_index_0_4 <= 9 when slice0winner1_best_cost_0_4_is_less else 8;
-      slice0winner1_best_index_0_5 <= 11 when slice0winner1_best_cost_0_5_is_less else 10;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
-      slice0winner1_best_below_0_1 <= slice0window_sum_0_2 when slice0winner1_best_cost_0_1_is_less else 0;
-      slice0winner1_best_below_0_2 <= slice0window_sum_0_4 when slice0winner1_best_cost_0_2_is_less else 0;
-      slice0winner1_best_below_0_3 <= slice0window_sum_0_6 when slice0winner1_best_cost_0_3_is_less else 0;
-      slice0winner1_best_below_0_4 <= slice0window_sum_0_8 when slice0winner1_best_cost_0_4_is_less else 0;
-      slice0winner1_best_below_0_5 <= slice0window_sum_0_10 when slice0winner1_best_cost_0_5_is_less else 0;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
-      slice0winner1_best_above_0_1 <= 0 when slice0winner1_best_cost_0_1_is_less else slice0window_sum_0_3;
-      slice0winner1_best_above_0_2 <= 0 when slice0winner1_best_cost_0_2_is_less else slice0window_sum_0_5;
-      slice0winner1_best_above_0_3 <= 0 when slice0winner1_best_cost_0_3_is_less else slice0window_sum_0_7;
-      slice0winner1_best_above_0_4 <= 0 when slice0winner1_best_cost_0_4_is_less else slice0window_sum_0_9;
-      slice0winner1_best_above_0_5 <= 0 when slice0winner1_best_cost_0_5_is_less else slice0window_sum_0_11;
       slice0winner1_best_first_0_0 <= slice0window_sum_0_0;
       slice0winner1_best_first_0_1 <= slice0window_sum_0_2;
       slice0winner1_best_first_0_2 <= slice0window_sum_0_4;
@@ -2284,46 +2624,104 @@ begin
       slice0winner1_tag_output_column <= slice0window_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+      end if;
+      if slice0winner1_best_cost_0_1_is_less then
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_index_0_1 <= 3;
+        slice0winner1_best_below_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_above_0_1 <= 0;
+      else
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_index_0_1 <= 2;
+        slice0winner1_best_below_0_1 <= 0;
+        slice0winner1_best_above_0_1 <= slice0window_sum_0_3;
+      end if;
+      if slice0winner1_best_cost_0_2_is_less then
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_index_0_2 <= 5;
+        slice0winner1_best_below_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_above_0_2 <= 0;
+      else
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_index_0_2 <= 4;
+        slice0winner1_best_below_0_2 <= 0;
+        slice0winner1_best_above_0_2 <= slice0window_sum_0_5;
+      end if;
+      if slice0winner1_best_cost_0_3_is_less then
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_7;
+        slice0winner1_best_index_0_3 <= 7;
+        slice0winner1_best_below_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_above_0_3 <= 0;
+      else
+        slice0winner1_best_cost_0_3 <= slice0window_sum_0_6;
+        slice0winner1_best_index_0_3 <= 6;
+        slice0winner1_best_below_0_3 <= 0;
+        slice0winner1_best_above_0_3 <= slice0window_sum_0_7;
+      end if;
+      if slice0winner1_best_cost_0_4_is_less then
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_9;
+        slice0winner1_best_index_0_4 <= 9;
+        slice0winner1_best_below_0_4 <= slice0window_sum_0_8;
+        slice0winner1_best_above_0_4 <= 0;
+      else
+        slice0winner1_best_cost_0_4 <= slice0window_sum_0_8;
+        slice0winner1_best_index_0_4 <= 8;
+        slice0winner1_best_below_0_4 <= 0;
+        slice0winner1_best_above_0_4 <= slice0window_sum_0_9;
+      end if;
+      if slice0winner1_best_cost_0_5_is_less then
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_11;
+        slice0winner1_best_index_0_5 <= 11;
+        slice0winner1_best_below_0_5 <= slice0window_sum_0_10;
+        slice0winner1_best_above_0_5 <= 0;
+      else
+        slice0winner1_best_cost_0_5 <= slice0window_sum_0_10;
+        slice0winner1_best_index_0_5 <= 10;
+        slice0winner1_best_below_0_5 <= 0;
+        slice0winner1_best_above_0_5 <= slice0window_sum_0_11;
+      end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_cost_0_1_is_less := (slice0winner1_best_cost_0_3 - slice0winner1_best_cost_0_2) < 0;
       slice0winner2_best_cost_0_2_is_less := (slice0winner1_best_cost_0_5 - slice0winner1_best_cost_0_4) < 0;
-      slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0_0 when slice0winner1_best_index_0_1 = 2 else
-        slice0winner1_best_below_0_1;
-      slice0winner2_best_below_0_1_choice := slice0winner1_best_last_0_2 when slice0winner1_best_index_0_3 = 6 else
-        slice0winner1_best_below_0_3;
-      slice0winner2_best_below_0_2_choice := slice0winner1_best_last_0_4 when ((slice0winner1_best_index_0_5 / 8) = 1)
-        and ((slice0winner1_best_index_0_5 mod 4) = 2) else slice0winner1_best_below_0_5;
-      slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_above_0_1_choice := slice0winner1_best_first_0_3 when other_0 else
-        slice0winner1_best_above_0_2;
-      slice0winner2_best_above_0_2_choice := slice0winner1_best_first_0_5 when other_3 else
-        slice0winner1_best_above_0_4;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_cost_0_2;
-      slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_cost_0_4;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
-      slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_index_0_2;
-      slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_index_0_4;
-      slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_below_0_0;
-      slice0winner2_best_below_0_1 <= slice0winner2_best_below_0_1_choice when slice0winner2_best_cost_0_1_is_less else
-        slice0winner1_best_below_0_2;
-      slice0winner2_best_below_0_2 <= slice0winner2_best_below_0_2_choice when slice0winner2_best_cost_0_2_is_less else
-        slice0winner1_best_below_0_4;
-      slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner2_best_above_0_0_choice;
-      slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_3 when slice0winner2_best_cost_0_1_is_less else
-        slice0winner2_best_above_0_1_choice;
-      slice0winner2_best_above_0_2 <= slice0winner1_best_above_0_5 when slice0winner2_best_cost_0_2_is_less else
-        slice0winner2_best_above_0_2_choice;
+      if slice0winner1_best_index_0_1 = 2 then
+        slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0_0;
+      else
+        slice0winner2_best_below_0_0_choice := slice0winner1_best_below_0_1;
+      end if;
+      if slice0winner1_best_index_0_3 = 6 then
+        slice0winner2_best_below_0_1_choice := slice0winner1_best_last_0_2;
+      else
+        slice0winner2_best_below_0_1_choice := slice0winner1_best_below_0_3;
+      end if;
+      if ((slice0winner1_best_index_0_5 / 8) = 1) and ((slice0winner1_best_index_0_5 mod 4) = 2) then
+        slice0winner2_best_below_0_2_choice := slice0winner1_best_last_0_4;
+      else
+        slice0winner2_best_below_0_2_choice := slice0winner1_best_below_0_5;
+      end if;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
+      if other_0 then
+        slice0winner2_best_above_0_1_choice := slice0winner1_best_first_0_3;
+      else
+        slice0winner2_best_above_0_1_choice := slice0winner1_best_above_0_2;
+      end if;
+      if other_3 then
+        slice0winner2_best_above_0_2_choice := slice0winner1_best_first_0_5;
+      else
+        slice0winner2_best_above_0_2_choice := slice0winner1_best_above_0_4;
+      end if;
       slice0winner2_best_first_0_0 <= slice0winner1_best_first_0_0;
       slice0winner2_best_first_0_1 <= slice0winner1_best_first_0_2;
       slice0winner2_best_first_0_2 <= slice0winner1_best_first_0_4;
@@ -2333,23 +2731,54 @@ begin
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice;
+        slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      end if;
+      if slice0winner2_best_cost_0_1_is_less then
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_3;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_3;
+        slice0winner2_best_below_0_1 <= slice0winner2_best_below_0_1_choice;
+        slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_3;
+      else
+        slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
+        slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
+        slice0winner2_best_below_0_1 <= slice0winner1_best_below_0_2;
+        slice0winner2_best_above_0_1 <= slice0winner2_best_above_0_1_choice;
+      end if;
+      if slice0winner2_best_cost_0_2_is_less then
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_5;
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_5;
+        slice0winner2_best_below_0_2 <= slice0winner2_best_below_0_2_choice;
+        slice0winner2_best_above_0_2 <= slice0winner1_best_above_0_5;
+      else
+        slice0winner2_best_cost_0_2 <= slice0winner1_best_cost_0_4;
+        slice0winner2_best_index_0_2 <= slice0winner1_best_index_0_4;
+        slice0winner2_best_below_0_2 <= slice0winner1_best_below_0_4;
+        slice0winner2_best_above_0_2 <= slice0winner2_best_above_0_2_choice;
+      end if;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
-      slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0 when slice0winner2_best_index_0_1 = 4 else
-        slice0winner2_best_below_0_1;
-      slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1 when slice0winner2_best_index_0_0 = 3 else
-        slice0winner2_best_above_0_0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
+      if slice0winner2_best_index_0_1 = 4 then
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0;
+      else
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_below_0_1;
+      end if;
+      if slice0winner2_best_index_0_0 = 3 then
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1;
+      else
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_above_0_0;
+      end if;
       slice0winner3_best_cost_0_1 <= slice0winner2_best_cost_0_2;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
       slice0winner3_best_index_0_1 <= slice0winner2_best_index_0_2;
-      slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_below_0_0;
       slice0winner3_best_below_0_1 <= slice0winner2_best_below_0_2;
-      slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner3_best_above_0_0_choice;
       slice0winner3_best_above_0_1 <= slice0winner2_best_above_0_2;
       slice0winner3_best_first_0_0 <= slice0winner2_best_first_0_0;
       slice0winner3_best_first_0_1 <= slice0winner2_best_first_0_2;
@@ -2358,25 +2787,45 @@ begin
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      if slice0winner3_best_cost_0_0_is_less then
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+        slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice;
+        slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+        slice0winner3_best_below_0_0 <= slice0winner2_best_below_0_0;
+        slice0winner3_best_above_0_0 <= slice0winner3_best_above_0_0_choice;
+      end if;
       -- slice0winner4
       slice0winner4_best_cost_0_0_is_less := (slice0winner3_best_cost_0_1 - slice0winner3_best_cost_0_0) < 0;
-      slice0winner4_best_below_0_0_choice := slice0winner3_best_last_0_0 when ((slice0winner3_best_index_0_1 / 8) = 1)
-        and ((slice0winner3_best_index_0_1 mod 4) = 0) else slice0winner3_best_below_0_1;
-      slice0winner4_best_above_0_0_choice := slice0winner3_best_first_0_1 when slice0winner3_best_index_0_0 = 7 else
-        slice0winner3_best_above_0_0;
-      slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_cost_0_0;
-      slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_index_0_0;
-      slice0winner4_best_below_0_0 <= slice0winner4_best_below_0_0_choice when slice0winner4_best_cost_0_0_is_less else
-        slice0winner3_best_below_0_0;
-      slice0winner4_best_above_0_0 <= slice0winner3_best_above_0_1 when slice0winner4_best_cost_0_0_is_less else
-        slice0winner4_best_above_0_0_choice;
+      if ((slice0winner3_best_index_0_1 / 8) = 1) and ((slice0winner3_best_index_0_1 mod 4) = 0) then
+        slice0winner4_best_below_0_0_choice := slice0winner3_best_last_0_0;
+      else
+        slice0winner4_best_below_0_0_choice := slice0winner3_best_below_0_1;
+      end if;
+      if slice0winner3_best_index_0_0 = 7 then
+        slice0winner4_best_above_0_0_choice := slice0winner3_best_first_0_1;
+      else
+        slice0winner4_best_above_0_0_choice := slice0winner3_best_above_0_0;
+      end if;
       slice0winner4_best_first_0_0 <= slice0winner3_best_first_0_0;
       slice0winner4_tag_valid <= slice0winner3_tag_valid;
       slice0winner4_tag_output_column <= slice0winner3_tag_output_column;
       slice0winner4_tag_start_of_frame <= slice0winner3_tag_start_of_frame;
       slice0winner4_tag_end_of_line <= slice0winner3_tag_end_of_line;
+      if slice0winner4_best_cost_0_0_is_less then
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_1;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_1;
+        slice0winner4_best_below_0_0 <= slice0winner4_best_below_0_0_choice;
+        slice0winner4_best_above_0_0 <= slice0winner3_best_above_0_1;
+      else
+        slice0winner4_best_cost_0_0 <= slice0winner3_best_cost_0_0;
+        slice0winner4_best_index_0_0 <= slice0winner3_best_index_0_0;
+        slice0winner4_best_below_0_0 <= slice0winner3_best_below_0_0;
+        slice0winner4_best_above_0_0 <= slice0winner4_best_above_0_0_choice;
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner4_best_cost_0_0;
       slice0_best_index_0_0 <= (((slice0winner4_best_index_0_0 / 4) + 3) * 4) + (slice0winner4_best_index_0_0 mod 4);
@@ -2437,54 +2886,126 @@ begin
       slice1cost_pixels_first_1_0_value_8 := ((slice1shift_reference_1 / 128) mod 2) = 1;
       slice1cost_pixels_first_1_0_value_9 := ((slice1shift_reference_1 / 512) mod 2) = 1;
       slice1cost_pixels_first_1_0_value_10 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
-      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_0(7
-        downto 0));
-      slice1cost_column_0_0_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_0 +
-        slice1cost_column_0_0_choice) mod 256;
-      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_0(15
-        downto 8));
-      slice1cost_column_0_1_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_1 +
-        slice1cost_column_0_1_choice) mod 256;
-      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_0(23
-        downto 16));
-      slice1cost_column_0_2_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_2 +
-        slice1cost_column_0_2_choice) mod 256;
-      slice1cost_column_0_3_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_0(31
-        downto 24));
-      slice1cost_column_0_3_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_3 +
-        slice1cost_column_0_3_choice) mod 256;
-      slice1cost_column_0_4_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_1(7
-        downto 0));
-      slice1cost_column_0_4_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_4 +
-        slice1cost_column_0_4_choice) mod 256;
-      slice1cost_column_0_5_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_1(15
-        downto 8));
-      slice1cost_column_0_5_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_5 +
-        slice1cost_column_0_5_choice) mod 256;
-      slice1cost_column_0_6_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_1(23
-        downto 16));
-      slice1cost_column_0_6_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_6 +
-        slice1cost_column_0_6_choice) mod 256;
-      slice1cost_column_0_7_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_1(31
-        downto 24));
-      slice1cost_column_0_7_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_7 +
-        slice1cost_column_0_7_choice) mod 256;
-      slice1cost_column_0_8_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_2(7
-        downto 0));
-      slice1cost_column_0_8_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_8 +
-        slice1cost_column_0_8_choice) mod 256;
-      slice1cost_column_0_9_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_2(15
-        downto 8));
-      slice1cost_column_0_9_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_9 +
-        slice1cost_column_0_9_choice) mod 256;
-      slice1cost_column_0_10_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_2(23
-        downto 16));
-      slice1cost_column_0_10_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_change_0_10 +
-        slice1cost_column_0_10_choice) mod 256;
-      slice1cost_column_0_11_choice := 0 when slice0cost_tag_first_group else to_integer(slice1cost_ready_words_2(31
-        downto 24));
-      slice1cost_column_0_11_choice_2 := 0 when slice0cost_tag_border_column else (slice1cost_column_0_11_choice +
-        slice1cost_change_0_11) mod 256;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_0_choice := 0;
+      else
+        slice1cost_column_0_0_choice := to_integer(slice1cost_ready_words_0(7 downto 0));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0_choice_2 := 0;
+      else
+        slice1cost_column_0_0_choice_2 := (slice1cost_change_0_0 + slice1cost_column_0_0_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_1_choice := 0;
+      else
+        slice1cost_column_0_1_choice := to_integer(slice1cost_ready_words_0(15 downto 8));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_1_choice_2 := 0;
+      else
+        slice1cost_column_0_1_choice_2 := (slice1cost_change_0_1 + slice1cost_column_0_1_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_2_choice := 0;
+      else
+        slice1cost_column_0_2_choice := to_integer(slice1cost_ready_words_0(23 downto 16));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_2_choice_2 := 0;
+      else
+        slice1cost_column_0_2_choice_2 := (slice1cost_change_0_2 + slice1cost_column_0_2_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_3_choice := 0;
+      else
+        slice1cost_column_0_3_choice := to_integer(slice1cost_ready_words_0(31 downto 24));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_3_choice_2 := 0;
+      else
+        slice1cost_column_0_3_choice_2 := (slice1cost_change_0_3 + slice1cost_column_0_3_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_4_choice := 0;
+      else
+        slice1cost_column_0_4_choice := to_integer(slice1cost_ready_words_1(7 downto 0));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_4_choice_2 := 0;
+      else
+        slice1cost_column_0_4_choice_2 := (slice1cost_change_0_4 + slice1cost_column_0_4_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_5_choice := 0;
+      else
+        slice1cost_column_0_5_choice := to_integer(slice1cost_ready_words_1(15 downto 8));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_5_choice_2 := 0;
+      else
+        slice1cost_column_0_5_choice_2 := (slice1cost_change_0_5 + slice1cost_column_0_5_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_6_choice := 0;
+      else
+        slice1cost_column_0_6_choice := to_integer(slice1cost_ready_words_1(23 downto 16));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_6_choice_2 := 0;
+      else
+        slice1cost_column_0_6_choice_2 := (slice1cost_change_0_6 + slice1cost_column_0_6_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_7_choice := 0;
+      else
+        slice1cost_column_0_7_choice := to_integer(slice1cost_ready_words_1(31 downto 24));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_7_choice_2 := 0;
+      else
+        slice1cost_column_0_7_choice_2 := (slice1cost_change_0_7 + slice1cost_column_0_7_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_8_choice := 0;
+      else
+        slice1cost_column_0_8_choice := to_integer(slice1cost_ready_words_2(7 downto 0));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_8_choice_2 := 0;
+      else
+        slice1cost_column_0_8_choice_2 := (slice1cost_change_0_8 + slice1cost_column_0_8_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_9_choice := 0;
+      else
+        slice1cost_column_0_9_choice := to_integer(slice1cost_ready_words_2(15 downto 8));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_9_choice_2 := 0;
+      else
+        slice1cost_column_0_9_choice_2 := (slice1cost_change_0_9 + slice1cost_column_0_9_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_10_choice := 0;
+      else
+        slice1cost_column_0_10_choice := to_integer(slice1cost_ready_words_2(23 downto 16));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_10_choice_2 := 0;
+      else
+        slice1cost_column_0_10_choice_2 := (slice1cost_change_0_10 + slice1cost_column_0_10_choice) mod 256;
+      end if;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_11_choice := 0;
+      else
+        slice1cost_column_0_11_choice := to_integer(slice1cost_ready_words_2(31 downto 24));
+      end if;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_11_choice_2 := 0;
+      else
+        slice1cost_column_0_11_choice_2 := (slice1cost_column_0_11_choice + slice1cost_change_0_11) mod 256;
+      end if;
       slice1cost_pixels_first_0_0 <= ((as_number((slice1cost_pixels_first_0_0_value /= (((slice1shift_search_0_0 / 8)
         mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_value_2 /= (((slice1shift_search_0_0 / 32) mod 2) = 1)))
         + as_number((slice1cost_pixels_first_0_0_value_3 /= (((slice1shift_search_0_0 / 16) mod 2) = 1)))) * 4) +
@@ -2913,9 +3434,12 @@ begin
       end if;
       -- slice1window
       if slice0window_entering_tag_valid then
-        slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 9 else
-          (slice1window_ring_read_address + 1) mod 16;
         slice1window_ring_write_address <= slice1window_ring_read_address;
+        if slice1window_ring_read_address = 9 then
+          slice1window_ring_read_address <= 0;
+        else
+          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if slice0window_change_tag_leaves_window then
         slice1window_change_0_0_choice := to_integer(slice1window_leaving_0(7 downto 0));
@@ -3001,18 +3525,66 @@ begin
       slice1window_change_0_9 <= slice1window_entering_0_9 - slice1window_change_0_9_choice;
       slice1window_change_0_10 <= slice1window_entering_0_10 - slice1window_change_0_10_choice;
       slice1window_change_0_11 <= slice1window_entering_0_11 - slice1window_change_0_11_choice;
-      slice1window_sum_0_0_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_0;
-      slice1window_sum_0_1_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_1;
-      slice1window_sum_0_2_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_2;
-      slice1window_sum_0_3_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_3;
-      slice1window_sum_0_4_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_4;
-      slice1window_sum_0_5_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_5;
-      slice1window_sum_0_6_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_6;
-      slice1window_sum_0_7_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_7;
-      slice1window_sum_0_8_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_8;
-      slice1window_sum_0_9_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_9;
-      slice1window_sum_0_10_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_10;
-      slice1window_sum_0_11_choice := 0 when slice0window_centre_first_column_0 else slice1window_sum_0_11;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_0_choice := 0;
+      else
+        slice1window_sum_0_0_choice := slice1window_sum_0_0;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_1_choice := 0;
+      else
+        slice1window_sum_0_1_choice := slice1window_sum_0_1;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_2_choice := 0;
+      else
+        slice1window_sum_0_2_choice := slice1window_sum_0_2;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_3_choice := 0;
+      else
+        slice1window_sum_0_3_choice := slice1window_sum_0_3;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_4_choice := 0;
+      else
+        slice1window_sum_0_4_choice := slice1window_sum_0_4;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_5_choice := 0;
+      else
+        slice1window_sum_0_5_choice := slice1window_sum_0_5;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_6_choice := 0;
+      else
+        slice1window_sum_0_6_choice := slice1window_sum_0_6;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_7_choice := 0;
+      else
+        slice1window_sum_0_7_choice := slice1window_sum_0_7;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_8_choice := 0;
+      else
+        slice1window_sum_0_8_choice := slice1window_sum_0_8;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_9_choice := 0;
+      else
+        slice1window_sum_0_9_choice := slice1window_sum_0_9;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_10_choice := 0;
+      else
+        slice1window_sum_0_10_choice := slice1window_sum_0_10;
+      end if;
+      if slice0window_centre_first_column_0 then
+        slice1window_sum_0_11_choice := 0;
+      else
+        slice1window_sum_0_11_choice := slice1window_sum_0_11;
+      end if;
       if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 2048;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 2048;
@@ -3042,36 +3614,7 @@ begin
       slice1winner1_best_cost_0_3_is_less := (slice1window_sum_0_7 - slice1window_sum_0_6) < 0;
       slice1winner1_best_cost_0_4_is_less := (slice1window_sum_0_9 - slice1window_sum_0_8) < 0;
       slice1winner1_best_cost_0_5_is_less := (slice1window_sum_0_11 - slice1window_sum_0_10) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
-      slice1winner1_best_cost_0_3 <= slice1window_sum_0_7 when slice1winner1_best_cost_0_3_is_less else
-        slice1window_sum_0_6;
-      slice1winner1_best_cost_0_4 <= slice1window_sum_0_9 when slice1winner1_best_cost_0_4_is_less else
-        slice1window_sum_0_8;
-      slice1winner1_best_cost_0_5 <= slice1window_sum_0_11 when slice1winner1_best_cost_0_5_is_less else
-        slice1window_sum_0_10;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_index_0_3 <= 7 when slice1winner1_best_cost_0_3_is_less else 6;
-      slice1winner1_best_index_0_4 <= 9 when slice1winner1_best_cost_0_4_is_less else 8;
-      slice1winner1_best_index_0_5 <= 11 when slice1winner1_best_cost_0_5_is_less else 10;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
-      slice1winner1_best_below_0_1 <= slice1window_sum_0_2 when slice1winner1_best_cost_0_1_is_less else 0;
-      slice1winner1_best_below_0_2 <= slice1window_sum_0_4 when slice1winner1_best_cost_0_2_is_less else 0;
-      slice1winner1_best_below_0_3 <= slice1window_sum_0_6 when slice1winner1_best_cost_0_3_is_less else 0;
-      slice1winner1_best_below_0_4 <= slice1window_sum_0_8 when slice1winner1_best_cost_0_4_is_less else 0;
-      slice1winner1_best_below_0_5 <= slice1window_sum_0_10 when slice1winner1_best_cost_0_5_is_less else 0;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
-      slice1winner1_best_above_0_1 <= 0 when slice1winner1_best_cost_0_1_is_less else slice1window_sum_0_3;
-      slice1winner1_best_above_0_2 <= 0 when slice1winner1_best_cost_0_2_is_less else slice1window_sum_0_5;
-      slice1winner1_best_above_0_3 <= 0 when slice1winner1_best_cost_0_3_is_less else slice1window_sum_0_7;
-      slice1winner1_best_above_0_4 <= 0 when slice1winner1_best_cost_0_4_is_less else slice1window_sum_0_9;
-      slice1winner1_best_above_0_5 <= 0 when slice1winner1_best_cost_0_5_is_less else slice1window_sum_0_11;
       slice1winner1_best_first_0_1 <= slice1window_sum_0_2;
       slice1winner1_best_first_0_2 <= slice1window_sum_0_4;
       slice1winner1_best_first_0_3 <= slice1window_sum_0_6;
@@ -3083,104 +3626,223 @@ begin
       slice1winner1_best_last_0_3 <= slice1window_sum_0_7;
       slice1winner1_best_last_0_4 <= slice1window_sum_0_9;
       slice1winner1_best_last_0_5 <= slice1window_sum_0_11;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+      end if;
+      if slice1winner1_best_cost_0_1_is_less then
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+        slice1winner1_best_index_0_1 <= 3;
+        slice1winner1_best_below_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_above_0_1 <= 0;
+      else
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_index_0_1 <= 2;
+        slice1winner1_best_below_0_1 <= 0;
+        slice1winner1_best_above_0_1 <= slice1window_sum_0_3;
+      end if;
+      if slice1winner1_best_cost_0_2_is_less then
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+        slice1winner1_best_index_0_2 <= 5;
+        slice1winner1_best_below_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_above_0_2 <= 0;
+      else
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_index_0_2 <= 4;
+        slice1winner1_best_below_0_2 <= 0;
+        slice1winner1_best_above_0_2 <= slice1window_sum_0_5;
+      end if;
+      if slice1winner1_best_cost_0_3_is_less then
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_7;
+        slice1winner1_best_index_0_3 <= 7;
+        slice1winner1_best_below_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_above_0_3 <= 0;
+      else
+        slice1winner1_best_cost_0_3 <= slice1window_sum_0_6;
+        slice1winner1_best_index_0_3 <= 6;
+        slice1winner1_best_below_0_3 <= 0;
+        slice1winner1_best_above_0_3 <= slice1window_sum_0_7;
+      end if;
+      if slice1winner1_best_cost_0_4_is_less then
+        slice1winner1_best_cost_0_4 <= slice1window_sum_0_9;
+        slice1winner1_best_index_0_4 <= 9;
+        slice1winner1_best_below_0_4 <= slice1window_sum_0_8;
+        slice1winner1_best_above_0_4 <= 0;
+      else
+        slice1winner1_best_cost_0_4 <= slice1window_sum_0_8;
+        slice1winner1_best_index_0_4 <= 8;
+        slice1winner1_best_below_0_4 <= 0;
+        slice1winner1_best_above_0_4 <= slice1window_sum_0_9;
+      end if;
+      if slice1winner1_best_cost_0_5_is_less then
+        slice1winner1_best_cost_0_5 <= slice1window_sum_0_11;
+        slice1winner1_best_index_0_5 <= 11;
+        slice1winner1_best_below_0_5 <= slice1window_sum_0_10;
+        slice1winner1_best_above_0_5 <= 0;
+      else
+        slice1winner1_best_cost_0_5 <= slice1window_sum_0_10;
+        slice1winner1_best_index_0_5 <= 10;
+        slice1winner1_best_below_0_5 <= 0;
+        slice1winner1_best_above_0_5 <= slice1window_sum_0_11;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_cost_0_1_is_less := (slice1winner1_best_cost_0_3 - slice1winner1_best_cost_0_2) < 0;
       slice1winner2_best_cost_0_2_is_less := (slice1winner1_best_cost_0_5 - slice1winner1_best_cost_0_4) < 0;
-      slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0 when slice1winner1_best_index_0_1 = 2 else
-        slice1winner1_best_below_0_1;
-      slice1winner2_best_below_0_1_choice := slice1winner1_best_last_0_2 when slice1winner1_best_index_0_3 = 6 else
-        slice1winner1_best_below_0_3;
-      slice1winner2_best_below_0_2_choice := slice1winner1_best_last_0_4 when ((slice1winner1_best_index_0_5 / 8) = 1)
-        and ((slice1winner1_best_index_0_5 mod 4) = 2) else slice1winner1_best_below_0_5;
-      slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_above_0_1_choice := slice1winner1_best_first_0_3 when other_11 else
-        slice1winner1_best_above_0_2;
-      slice1winner2_best_above_0_2_choice := slice1winner1_best_first_0_5 when other_12 else
-        slice1winner1_best_above_0_4;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_cost_0_2;
-      slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_cost_0_4;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
-      slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_index_0_2;
-      slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_index_0_4;
-      slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_below_0_0;
-      slice1winner2_best_below_0_1 <= slice1winner2_best_below_0_1_choice when slice1winner2_best_cost_0_1_is_less else
-        slice1winner1_best_below_0_2;
-      slice1winner2_best_below_0_2 <= slice1winner2_best_below_0_2_choice when slice1winner2_best_cost_0_2_is_less else
-        slice1winner1_best_below_0_4;
-      slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner2_best_above_0_0_choice;
-      slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_3 when slice1winner2_best_cost_0_1_is_less else
-        slice1winner2_best_above_0_1_choice;
-      slice1winner2_best_above_0_2 <= slice1winner1_best_above_0_5 when slice1winner2_best_cost_0_2_is_less else
-        slice1winner2_best_above_0_2_choice;
+      if slice1winner1_best_index_0_1 = 2 then
+        slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0;
+      else
+        slice1winner2_best_below_0_0_choice := slice1winner1_best_below_0_1;
+      end if;
+      if slice1winner1_best_index_0_3 = 6 then
+        slice1winner2_best_below_0_1_choice := slice1winner1_best_last_0_2;
+      else
+        slice1winner2_best_below_0_1_choice := slice1winner1_best_below_0_3;
+      end if;
+      if ((slice1winner1_best_index_0_5 / 8) = 1) and ((slice1winner1_best_index_0_5 mod 4) = 2) then
+        slice1winner2_best_below_0_2_choice := slice1winner1_best_last_0_4;
+      else
+        slice1winner2_best_below_0_2_choice := slice1winner1_best_below_0_5;
+      end if;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
+      if other_11 then
+        slice1winner2_best_above_0_1_choice := slice1winner1_best_first_0_3;
+      else
+        slice1winner2_best_above_0_1_choice := slice1winner1_best_above_0_2;
+      end if;
+      if other_12 then
+        slice1winner2_best_above_0_2_choice := slice1winner1_best_first_0_5;
+      else
+        slice1winner2_best_above_0_2_choice := slice1winner1_best_above_0_4;
+      end if;
       slice1winner2_best_first_0_1 <= slice1winner1_best_first_0_2;
       slice1winner2_best_first_0_2 <= slice1winner1_best_first_0_4;
       slice1winner2_best_last_0_0 <= slice1winner1_best_last_0_1;
       slice1winner2_best_last_0_1 <= slice1winner1_best_last_0_3;
       slice1winner2_best_last_0_2 <= slice1winner1_best_last_0_5;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice;
+        slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      end if;
+      if slice1winner2_best_cost_0_1_is_less then
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_3;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_3;
+        slice1winner2_best_below_0_1 <= slice1winner2_best_below_0_1_choice;
+        slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_3;
+      else
+        slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
+        slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
+        slice1winner2_best_below_0_1 <= slice1winner1_best_below_0_2;
+        slice1winner2_best_above_0_1 <= slice1winner2_best_above_0_1_choice;
+      end if;
+      if slice1winner2_best_cost_0_2_is_less then
+        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_5;
+        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_5;
+        slice1winner2_best_below_0_2 <= slice1winner2_best_below_0_2_choice;
+        slice1winner2_best_above_0_2 <= slice1winner1_best_above_0_5;
+      else
+        slice1winner2_best_cost_0_2 <= slice1winner1_best_cost_0_4;
+        slice1winner2_best_index_0_2 <= slice1winner1_best_index_0_4;
+        slice1winner2_best_below_0_2 <= slice1winner1_best_below_0_4;
+        slice1winner2_best_above_0_2 <= slice1winner2_best_above_0_2_choice;
+      end if;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
-      slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0 when slice1winner2_best_index_0_1 = 4 else
-        slice1winner2_best_below_0_1;
-      slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1 when slice1winner2_best_index_0_0 = 3 else
-        slice1winner2_best_above_0_0;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
+      if slice1winner2_best_index_0_1 = 4 then
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0;
+      else
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_below_0_1;
+      end if;
+      if slice1winner2_best_index_0_0 = 3 then
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1;
+      else
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_above_0_0;
+      end if;
       slice1winner3_best_cost_0_1 <= slice1winner2_best_cost_0_2;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
       slice1winner3_best_index_0_1 <= slice1winner2_best_index_0_2;
-      slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_below_0_0;
       slice1winner3_best_below_0_1 <= slice1winner2_best_below_0_2;
-      slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner3_best_above_0_0_choice;
       slice1winner3_best_above_0_1 <= slice1winner2_best_above_0_2;
       slice1winner3_best_first_0_1 <= slice1winner2_best_first_0_2;
       slice1winner3_best_last_0_0 <= slice1winner2_best_last_0_1;
       slice1winner3_best_last_0_1 <= slice1winner2_best_last_0_2;
+      if slice1winner3_best_cost_0_0_is_less then
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
+        slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice;
+        slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1;
+      else
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
+        slice1winner3_best_below_0_0 <= slice1winner2_best_below_0_0;
+        slice1winner3_best_above_0_0 <= slice1winner3_best_above_0_0_choice;
+      end if;
       -- slice1winner4
       slice1winner4_best_cost_0_0_is_less := (slice1winner3_best_cost_0_1 - slice1winner3_best_cost_0_0) < 0;
-      slice1winner4_best_below_0_0_choice := slice1winner3_best_last_0_0 when ((slice1winner3_best_index_0_1 / 8) = 1)
-        and ((slice1winner3_best_index_0_1 mod 4) = 0) else slice1winner3_best_below_0_1;
-      slice1winner4_best_above_0_0_choice := slice1winner3_best_first_0_1 when slice1winner3_best_index_0_0 = 7 else
-        slice1winner3_best_above_0_0;
-      slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_cost_0_0;
-      slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_index_0_0;
-      slice1winner4_best_below_0_0 <= slice1winner4_best_below_0_0_choice when slice1winner4_best_cost_0_0_is_less else
-        slice1winner3_best_below_0_0;
-      slice1winner4_best_above_0_0 <= slice1winner3_best_above_0_1 when slice1winner4_best_cost_0_0_is_less else
-        slice1winner4_best_above_0_0_choice;
+      if ((slice1winner3_best_index_0_1 / 8) = 1) and ((slice1winner3_best_index_0_1 mod 4) = 0) then
+        slice1winner4_best_below_0_0_choice := slice1winner3_best_last_0_0;
+      else
+        slice1winner4_best_below_0_0_choice := slice1winner3_best_below_0_1;
+      end if;
+      if slice1winner3_best_index_0_0 = 7 then
+        slice1winner4_best_above_0_0_choice := slice1winner3_best_first_0_1;
+      else
+        slice1winner4_best_above_0_0_choice := slice1winner3_best_above_0_0;
+      end if;
       slice1winner4_best_last_0_0 <= slice1winner3_best_last_0_1;
+      if slice1winner4_best_cost_0_0_is_less then
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_1;
+        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_1;
+        slice1winner4_best_below_0_0 <= slice1winner4_best_below_0_0_choice;
+        slice1winner4_best_above_0_0 <= slice1winner3_best_above_0_1;
+      else
+        slice1winner4_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+        slice1winner4_best_index_0_0 <= slice1winner3_best_index_0_0;
+        slice1winner4_best_below_0_0 <= slice1winner3_best_below_0_0;
+        slice1winner4_best_above_0_0 <= slice1winner4_best_above_0_0_choice;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice0_best_cost_0_0 - slice1winner4_best_cost_0_0) < 0;
-      slice1_best_below_0_0_choice := slice1winner4_best_last_0_0 when slice0_best_index_0_0 = 12 else
-        slice0_best_below_0_0;
-      slice1_best_above_0_0_choice := slice0_best_first_0_0 when slice1winner4_best_index_0_0 = 11 else
-        slice1winner4_best_above_0_0;
-      slice1_best_cost_0_0 <= slice0_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice1winner4_best_cost_0_0;
-      slice1_best_index_0_0 <= slice0_best_index_0_0 when slice1_best_cost_0_0_is_less else
-        slice1winner4_best_index_0_0;
-      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
-        slice1winner4_best_below_0_0;
-      slice1_best_above_0_0 <= slice0_best_above_0_0 when slice1_best_cost_0_0_is_less else
-        slice1_best_above_0_0_choice;
+      if slice0_best_index_0_0 = 12 then
+        slice1_best_below_0_0_choice := slice1winner4_best_last_0_0;
+      else
+        slice1_best_below_0_0_choice := slice0_best_below_0_0;
+      end if;
+      if slice1winner4_best_index_0_0 = 11 then
+        slice1_best_above_0_0_choice := slice0_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice1winner4_best_above_0_0;
+      end if;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice0_best_above_0_0;
+      else
+        slice1_best_cost_0_0 <= slice1winner4_best_cost_0_0;
+        slice1_best_index_0_0 <= slice1winner4_best_index_0_0;
+        slice1_best_below_0_0 <= slice1winner4_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      end if;
       -- refinement
       refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 4096) - refinement_divisor_0_0;
       refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 4096) - refinement_divisor_1_0;
@@ -3190,7 +3852,11 @@ begin
       refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 4096) - refinement_divisor_5_0;
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 4096) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -3276,26 +3942,10 @@ begin
       refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
       refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
       refinement_cost_0 <= slice1_best_cost_0_0;
-      refinement_below_0 <= slice1_best_above_0_0 when slice1_best_index_0_0 = 0 else slice1_best_below_0_0;
-      refinement_above_0 <= slice1_best_below_0_0 when slice1_best_index_0_0 = 23 else slice1_best_above_0_0;
       refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 2048;
       refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 2048;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 2048 when
-        (refinement_remainder_1_0_difference / 4096) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 2048 when
-        (refinement_remainder_2_0_difference / 4096) = 1 else (refinement_remainder_1_0 mod 1024) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 2048 when
-        (refinement_remainder_3_0_difference / 4096) = 1 else (refinement_remainder_2_0 mod 1024) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 2048 when
-        (refinement_remainder_4_0_difference / 4096) = 1 else (refinement_remainder_3_0 mod 1024) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 2048 when
-        (refinement_remainder_5_0_difference / 4096) = 1 else (refinement_remainder_4_0 mod 1024) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 2048 when
-        (refinement_remainder_6_0_difference / 4096) = 1 else (refinement_remainder_5_0 mod 1024) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 2048 when
-        (refinement_remainder_7_0_difference / 4096) = 1 else (refinement_remainder_6_0 mod 1024) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 11)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 11))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
@@ -3317,6 +3967,51 @@ begin
       refinement_negative_7_0 <= refinement_negative_6_0;
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
+      if slice1_best_index_0_0 = 0 then
+        refinement_below_0 <= slice1_best_above_0_0;
+      else
+        refinement_below_0 <= slice1_best_below_0_0;
+      end if;
+      if slice1_best_index_0_0 = 23 then
+        refinement_above_0 <= slice1_best_below_0_0;
+      else
+        refinement_above_0 <= slice1_best_above_0_0;
+      end if;
+      if (refinement_remainder_1_0_difference / 4096) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 2048;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_2_0_difference / 4096) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 2048;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 1024) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 4096) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 2048;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 1024) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 4096) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 2048;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 1024) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 4096) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 2048;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 1024) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 4096) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 2048;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 1024) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 4096) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 2048;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 1024) * 2;
+      end if;
       -- map
       map_out_disparity_0 <= (((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) +
         ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);

@@ -602,143 +602,227 @@ architecture rtl of stereo_core_tiny_phase_checks is
   signal other_13 : natural range 0 to 192;
   signal other_14 : natural range 0 to 128;
   signal other_15, other_19 : natural range 0 to 65534;
+  signal map_rows_read_words_0_memory_read_enable : boolean;
+  signal map_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal map_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal leftright_found_0_memory_read_enable : boolean;
+  signal leftright_found_0_memory_read_address : unsigned(3 downto 0);
+  signal leftright_found_0_memory_write_address : unsigned(3 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_read_enable : boolean;
+  signal leftright_held_0_memory_read_address : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_address : unsigned(3 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(11 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(11 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(1 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(1 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(11 downto 0);
+  signal transform_left_rows_read_words_2_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_2_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_2_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal transform_left_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_2_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_2_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_2_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal transform_right_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  map_rows_read_words_0_memory_read_enable <= true;
+  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 5);
+  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 5);
   map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 26, width => 26)
+    generic map (depth => 26, width => 26, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
+      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
+      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
 
+  leftright_found_0_memory_read_enable <= true;
+  leftright_found_0_memory_read_address <= to_unsigned(leftright_address_0, 4);
+  leftright_found_0_memory_write_address <= to_unsigned(leftright_position, 4);
   leftright_found_0_memory_write_data <= to_unsigned(leftright_other_14_0, 4);
   leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 4)
+    generic map (depth => 16, width => 4, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+      clock => clock, read_enable => leftright_found_0_memory_read_enable,
+      read_address => leftright_found_0_memory_read_address, read_data => leftright_found_0,
+      write_address => leftright_found_0_memory_write_address, write_data => leftright_found_0_memory_write_data);
 
+  leftright_held_0_memory_read_enable <= true;
+  leftright_held_0_memory_read_address <= to_unsigned(leftright_ring_read_address, 4);
+  leftright_held_0_memory_write_address <= to_unsigned(leftright_ring_write_address, 4);
   leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
   leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 18)
+    generic map (depth => 12, width => 18, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+      clock => clock, read_enable => leftright_held_0_memory_read_enable,
+      read_address => leftright_held_0_memory_read_address, read_data => leftright_held_0,
+      write_address => leftright_held_0_memory_write_address, write_data => leftright_held_0_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 12);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 12)
+    generic map (depth => 40, width => 12, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 12);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 12)
+    generic map (depth => 40, width => 12, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 2);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 2);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_search_0, 12);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 3, width => 12)
+    generic map (depth => 3, width => 12, address_bits => 2)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
+  transform_left_rows_read_words_2_memory_read_enable <= true;
+  transform_left_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_2_memory_write_data <= to_unsigned(transform_left_rows_write_words_2, 8);
   transform_left_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 40, width => 8)
+    generic map (depth => 40, width => 8, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_2,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_2_memory_read_enable,
+      read_address => transform_left_rows_read_words_2_memory_read_address, read_data => transform_left_rows_read_words_2,
+      write_address => transform_left_rows_read_words_2_memory_write_address, write_data => transform_left_rows_read_words_2_memory_write_data);
 
+  transform_left_rows_read_words_1_memory_read_enable <= true;
+  transform_left_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_1_memory_write_data <= transform_left_rows_write_words_1;
   transform_left_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_1_memory_read_enable,
+      read_address => transform_left_rows_read_words_1_memory_read_address, read_data => transform_left_rows_read_words_1,
+      write_address => transform_left_rows_read_words_1_memory_write_address, write_data => transform_left_rows_read_words_1_memory_write_data);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_2_memory_read_enable <= true;
+  transform_right_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_2_memory_write_data <= to_unsigned(transform_right_rows_write_words_2, 8);
   transform_right_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 40, width => 8)
+    generic map (depth => 40, width => 8, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_2,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_2_memory_read_enable,
+      read_address => transform_right_rows_read_words_2_memory_read_address, read_data => transform_right_rows_read_words_2,
+      write_address => transform_right_rows_read_words_2_memory_write_address, write_data => transform_right_rows_read_words_2_memory_write_data);
 
+  transform_right_rows_read_words_1_memory_read_enable <= true;
+  transform_right_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_1_memory_write_data <= transform_right_rows_write_words_1;
   transform_right_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_1_memory_read_enable,
+      read_address => transform_right_rows_read_words_1_memory_read_address, read_data => transform_right_rows_read_words_1,
+      write_address => transform_right_rows_read_words_1_memory_write_address, write_data => transform_right_rows_read_words_1_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -856,33 +940,58 @@ begin
       transform_counter_group_is_equal := transform_counter_column = 39;
       transform_counter_group_is_equal_2 := transform_counter_group = 17;
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      transform_counter_group_choice := 9 when transform_counter_group_all else 0;
-      transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and ((transform_counter_group
-        mod 2) = 1) when (transform_counter_group / 2) = 11 else transform_counter_group_is_equal and in_valid;
+      if transform_counter_group_all then
+        transform_counter_group_choice := 9;
+      else
+        transform_counter_group_choice := 0;
+      end if;
+      if (transform_counter_group / 2) = 11 then
+        transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and ((transform_counter_group
+          mod 2) = 1);
+      else
+        transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid;
+      end if;
       transform_counter_group_is_equal_3 := transform_counter_group = 21;
-      transform_counter_group_choice_3 := 4 when transform_counter_next_frame and transform_counter_group_is_equal_3
-        else (transform_counter_group + 1) mod 32;
-      transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_choice_2 else
-        transform_counter_group;
+      if transform_counter_next_frame and transform_counter_group_is_equal_3 then
+        transform_counter_group_choice_3 := 4;
+      else
+        transform_counter_group_choice_3 := (transform_counter_group + 1) mod 32;
+      end if;
+      if transform_counter_group_choice_2 then
+        transform_counter_group_choice_4 := transform_counter_group_choice_3;
+      else
+        transform_counter_group_choice_4 := transform_counter_group;
+      end if;
       transform_centre_column_any := (not ((not (((transform_counter_column / 8) mod 2) = 1)) and ((not
         (((transform_counter_column / 4) mod 2) = 1)) or ((transform_counter_column mod 4) = 0)))) or
         ((transform_counter_column / 32) = 1) or (((transform_counter_column / 16) mod 2) = 1);
-      transform_centre_column_choice := 59 when transform_centre_column_any else 35;
+      if transform_centre_column_any then
+        transform_centre_column_choice := 59;
+      else
+        transform_centre_column_choice := 35;
+      end if;
       transform_from_first_1_differs := (transform_centre_column / 4) /= 0;
       transform_up_to_last_0_is_equal := (transform_centre_group / 16) = 0;
-      transform_up_to_last_0_choice := not ((transform_centre_group / 32) = 1) when (not (((transform_centre_group / 8)
-        mod 2) = 1)) and ((not (((transform_centre_group / 4) mod 2) = 1)) or ((transform_centre_group mod 4) = 0))
-        else transform_up_to_last_0_is_equal;
-      transform_up_to_last_1_choice := ((transform_centre_column / 2) mod 8) = 0 when (transform_centre_column mod 2) =
-        1 else ((transform_centre_column / 4) mod 4) = 0;
-      transform_up_to_last_1_choice_2 := not ((transform_centre_group / 32) = 1) when ((not (((transform_centre_group /
-        2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and (((transform_centre_group / 4) mod 4) = 0)
-        else transform_up_to_last_0_is_equal;
+      if (not (((transform_centre_group / 8) mod 2) = 1)) and ((not (((transform_centre_group / 4) mod 2) = 1)) or
+        ((transform_centre_group mod 4) = 0)) then
+        transform_up_to_last_0_choice := not ((transform_centre_group / 32) = 1);
+      else
+        transform_up_to_last_0_choice := transform_up_to_last_0_is_equal;
+      end if;
+      if (transform_centre_column mod 2) = 1 then
+        transform_up_to_last_1_choice := ((transform_centre_column / 2) mod 8) = 0;
+      else
+        transform_up_to_last_1_choice := ((transform_centre_column / 4) mod 4) = 0;
+      end if;
+      if ((not (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+        (((transform_centre_group / 4) mod 4) = 0) then
+        transform_up_to_last_1_choice_2 := not ((transform_centre_group / 32) = 1);
+      else
+        transform_up_to_last_1_choice_2 := transform_up_to_last_0_is_equal;
+      end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice * 2 when in_valid and in_start_of_frame else
-        transform_counter_group_choice_4;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_words_1 <= transform_left_rows_read_words_1;
@@ -897,20 +1006,6 @@ begin
       transform_ready_column <= transform_read_column;
       transform_centre_column <= (transform_centre_column_choice + transform_counter_column) mod 64;
       transform_centre_group <= transform_counter_group + as_number(transform_centre_column_any);
-      transform_from_first_0 <= (not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
-        (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
-        ((transform_centre_group / 8) = 0))) and ((transform_centre_column / 32) = 1) when ((transform_centre_column /
-        2) mod 16) = 0 else not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not (((transform_centre_group /
-        2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and ((transform_centre_group / 8) = 0));
-      transform_from_first_1 <= transform_from_first_1_differs and ((transform_centre_group / 32) = 1) when (not
-        (((transform_centre_group / 16) mod 2) = 1)) and ((not (((transform_centre_group / 8) mod 2) = 1)) or
-        (((transform_centre_group / 2) mod 4) = 0)) else transform_from_first_1_differs;
-      transform_up_to_last_0 <= transform_up_to_last_0_choice when ((not (((transform_centre_column / 4) mod 2) = 1))
-        or (not (((transform_centre_column / 2) mod 2) = 1))) and (((transform_centre_column / 8) mod 4) = 0) else
-        transform_up_to_last_0_choice and (not ((transform_centre_column / 32) = 1));
-      transform_up_to_last_1 <= transform_up_to_last_1_choice_2 and ((not ((transform_centre_column / 32) = 1)) or (not
-        (((transform_centre_column / 16) mod 2) = 1))) when transform_up_to_last_1_choice else
-        transform_up_to_last_1_choice_2 and (not ((transform_centre_column / 32) = 1));
       transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
       transform_left_column_1 <= to_integer(transform_left_rows_ready_words_0(15 downto 8));
       transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
@@ -984,7 +1079,6 @@ begin
         transform_left_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_left_code_row_even_1 -
         transform_left_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_left_code_row_even_1 +
         transform_left_code_row_odd_2) mod 16384) / 8192) * 16);
-      transform_left_code_bits <= transform_left_code_earlier_2 when transform_filtering_6_inside_0 else 0;
       transform_left_code_next_column_box_0_0_0 <= transform_left_column_0 + transform_left_column_1;
       transform_left_code_next_column_box_0_1_0 <= transform_left_column_2 + transform_left_column_3;
       transform_left_code_next_column_box_0_2_0 <= transform_left_column_4 + transform_left_column_5;
@@ -1049,7 +1143,6 @@ begin
         ((((transform_left_code_next_row_odd_1 - transform_left_code_next_row_even_2) mod 65536) / 32768) * 32) +
         ((((transform_left_code_next_row_even_1 - transform_left_code_next_row_odd_2) mod 65536) / 32768) * 4) +
         ((((transform_left_code_next_row_even_1 + transform_left_code_next_row_odd_2) mod 65536) / 32768) * 16);
-      transform_left_code_next_bits <= transform_left_code_next_row_signs when transform_filtering_6_inside_1 else 0;
       transform_right_code_column_box_0_0_0 <= transform_right_column_3;
       transform_right_code_column_box_0_1_0 <= transform_right_column_4;
       transform_right_code_column_box_0_2_0 <= transform_right_column_5;
@@ -1101,7 +1194,6 @@ begin
         ((((transform_right_code_row_odd_1 - transform_right_code_row_even_2) mod 16384) / 8192) * 32) +
         ((((transform_right_code_row_even_1 - transform_right_code_row_odd_2) mod 16384) / 8192) * 4) +
         ((((transform_right_code_row_even_1 + transform_right_code_row_odd_2) mod 16384) / 8192) * 16);
-      transform_right_code_bits <= transform_right_code_earlier_2 when transform_filtering_6_inside_0 else 0;
       transform_right_code_next_column_box_0_0_0 <= transform_right_column_0 + transform_right_column_1;
       transform_right_code_next_column_box_0_1_0 <= transform_right_column_2 + transform_right_column_3;
       transform_right_code_next_column_box_0_2_0 <= transform_right_column_4 + transform_right_column_5;
@@ -1166,7 +1258,6 @@ begin
         ((((transform_right_code_next_row_odd_1 - transform_right_code_next_row_even_2) mod 65536) / 32768) * 32) +
         ((((transform_right_code_next_row_even_1 - transform_right_code_next_row_odd_2) mod 65536) / 32768) * 4) +
         ((((transform_right_code_next_row_even_1 + transform_right_code_next_row_odd_2) mod 65536) / 32768) * 16);
-      transform_right_code_next_bits <= transform_right_code_next_row_signs when transform_filtering_6_inside_1 else 0;
       transform_filtering_0_inside_0 <= transform_columns_inside_0;
       transform_filtering_0_inside_1 <= transform_columns_inside_1;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -1197,14 +1288,69 @@ begin
       transform_filtering_6_valid <= transform_filtering_5_valid;
       transform_filtering_7_start_of_frame <= transform_filtering_6_start_of_frame;
       transform_filtering_7_valid <= transform_filtering_6_valid;
-      transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
-        transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= transform_counter_group_choice * 2;
+      else
+        transform_counter_group <= transform_counter_group_choice_4;
+      end if;
+      if ((transform_centre_column / 2) mod 16) = 0 then
+        transform_from_first_0 <= (not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
+          (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+          ((transform_centre_group / 8) = 0))) and ((transform_centre_column / 32) = 1);
+      else
+        transform_from_first_0 <= not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
+          (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+          ((transform_centre_group / 8) = 0));
+      end if;
+      if (not (((transform_centre_group / 16) mod 2) = 1)) and ((not (((transform_centre_group / 8) mod 2) = 1)) or
+        (((transform_centre_group / 2) mod 4) = 0)) then
+        transform_from_first_1 <= transform_from_first_1_differs and ((transform_centre_group / 32) = 1);
+      else
+        transform_from_first_1 <= transform_from_first_1_differs;
+      end if;
+      if ((not (((transform_centre_column / 4) mod 2) = 1)) or (not (((transform_centre_column / 2) mod 2) = 1))) and
+        (((transform_centre_column / 8) mod 4) = 0) then
+        transform_up_to_last_0 <= transform_up_to_last_0_choice;
+      else
+        transform_up_to_last_0 <= transform_up_to_last_0_choice and (not ((transform_centre_column / 32) = 1));
+      end if;
+      if transform_up_to_last_1_choice then
+        transform_up_to_last_1 <= transform_up_to_last_1_choice_2 and ((not ((transform_centre_column / 32) = 1)) or
+          (not (((transform_centre_column / 16) mod 2) = 1)));
+      else
+        transform_up_to_last_1 <= transform_up_to_last_1_choice_2 and (not ((transform_centre_column / 32) = 1));
+      end if;
+      if transform_filtering_6_inside_0 then
+        transform_left_code_bits <= transform_left_code_earlier_2;
+        transform_right_code_bits <= transform_right_code_earlier_2;
+      else
+        transform_left_code_bits <= 0;
+        transform_right_code_bits <= 0;
+      end if;
+      if transform_filtering_6_inside_1 then
+        transform_left_code_next_bits <= transform_left_code_next_row_signs;
+        transform_right_code_next_bits <= transform_right_code_next_row_signs;
+      else
+        transform_left_code_next_bits <= 0;
+        transform_right_code_next_bits <= 0;
+      end if;
+      if in_start_of_frame then
+        transform_counter_next_frame_choice := transform_counter_group_all;
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
-          (transform_counter_column + 1) mod 64;
-        transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
-          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
-          transform_counter_next_frame_choice;
+        if transform_counter_group_is_equal or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 64;
+        end if;
+        if transform_counter_group_is_equal and transform_counter_group_is_equal_3 then
+          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+            in_start_of_frame;
+        else
+          transform_counter_next_frame <= transform_counter_next_frame_choice;
+        end if;
       end if;
       if (other_3 / 256) = 1 then
         transform_left_rows_write_words_0 <= transform_left_rows_ready_words_1(7 downto 0) &
@@ -1313,39 +1459,74 @@ begin
       raster_place_group_is_equal := raster_place_column = 39;
       raster_place_group_is_equal_2 := raster_place_group = 17;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 9 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 9;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 9;
-      raster_place_group_choice_2 := raster_place_group_is_equal and transform_filtering_7_valid and (not
-        ((raster_place_group mod 2) = 1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal and
-        transform_filtering_7_valid;
-      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 18) else
-        (raster_place_group + 1) mod 32;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
-        raster_place_group;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
-        raster_place_next_frame;
-      raster_place_next_frame_choice_3 := transform_filtering_7_valid when raster_place_group_all else
-        transform_filtering_7_valid and (not transform_filtering_7_start_of_frame);
-      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
-        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_7_valid and
-        transform_filtering_7_start_of_frame;
+      if raster_place_group_is_equal_3 then
+        raster_place_group_choice_2 := raster_place_group_is_equal and transform_filtering_7_valid and (not
+          ((raster_place_group mod 2) = 1));
+      else
+        raster_place_group_choice_2 := raster_place_group_is_equal and transform_filtering_7_valid;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 18) then
+        raster_place_group_choice_3 := 1;
+      else
+        raster_place_group_choice_3 := (raster_place_group + 1) mod 32;
+      end if;
+      if raster_place_group_choice_2 then
+        raster_place_group_choice_4 := raster_place_group_choice_3;
+      else
+        raster_place_group_choice_4 := raster_place_group;
+      end if;
+      if raster_place_group_is_equal then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
+      if raster_place_group_all then
+        raster_place_next_frame_choice_3 := transform_filtering_7_valid;
+      else
+        raster_place_next_frame_choice_3 := transform_filtering_7_valid and (not transform_filtering_7_start_of_frame);
+      end if;
+      if raster_place_next_frame_choice_2 then
+        raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3;
+      else
+        raster_place_next_frame_choice_4 := raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          transform_filtering_7_valid and transform_filtering_7_start_of_frame;
+      end if;
       raster_features_search_0 <= (transform_right_code_next_bits * 64) + transform_right_code_bits;
       raster_features_reference_0 <= (transform_left_code_next_bits * 64) + transform_left_code_bits;
       raster_features_valid <= transform_filtering_7_valid;
-      raster_place_group <= raster_place_group_choice * 2 when transform_filtering_7_valid and
-        transform_filtering_7_start_of_frame else raster_place_group_choice_4;
       raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_7_valid) and
         raster_place_next_frame);
+      if transform_filtering_7_valid and transform_filtering_7_start_of_frame then
+        raster_place_group <= raster_place_group_choice * 2;
+      else
+        raster_place_group <= raster_place_group_choice_4;
+      end if;
       if transform_filtering_7_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_7_start_of_frame else
-          (raster_place_column + 1) mod 64;
+        if raster_place_group_is_equal or transform_filtering_7_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 64;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 2 else (delay_ring_read_address + 1) mod 4;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 2 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 4;
+        end if;
       end if;
       delay_row_inside_2_is_not_less := raster_place_group >= 1;
       delay_row_inside_2_is_less := raster_place_group < 19;
@@ -1400,14 +1581,6 @@ begin
       rows_ready_tag_first_column <= rows_read_tag_first_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_0 / 4096 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_words_1 when rows_ready_inside_2 else 0;
-      rows_search_3 <= rows_search_rows_ready_newest_0 when rows_ready_inside_3 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_0 / 4096 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_words_1 when rows_ready_inside_2 else 0;
-      rows_reference_3 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_3 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_map_column <= rows_ready_tag_map_column;
@@ -1415,6 +1588,34 @@ begin
       rows_tag_first_column <= rows_ready_tag_first_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 4096;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_0 / 4096;
+        rows_reference_1 <= rows_reference_rows_ready_words_0 / 4096;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_words_1;
+        rows_reference_2 <= rows_reference_rows_ready_words_1;
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
+      if rows_ready_inside_3 then
+        rows_search_3 <= rows_search_rows_ready_newest_0;
+        rows_reference_3 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_3 <= 0;
+        rows_reference_3 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 4096) + (rows_search_rows_ready_words_1 *
           4096);
@@ -1926,18 +2127,6 @@ begin
       slice0cost_pair_tag_first_column <= slice0cost_pixels_tag_first_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_3_0 +
-        slice0cost_pair_0_0 + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_3_1 +
-        slice0cost_pair_0_1 + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_3_2 +
-        slice0cost_pair_0_2 + slice0cost_single_0_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_3_3 +
-        slice0cost_pair_0_3 + slice0cost_single_0_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_3_4 +
-        slice0cost_pair_0_4 + slice0cost_single_0_4;
-      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_3_5 +
-        slice0cost_pair_0_5 + slice0cost_single_0_5;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_map_column <= slice0cost_pair_tag_map_column;
@@ -1945,6 +2134,21 @@ begin
       slice0cost_tag_first_column <= slice0cost_pair_tag_first_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+        slice0cost_column_0_5 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_single_3_0 + slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= slice0cost_single_3_1 + slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= slice0cost_single_3_2 + slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_column_0_3 <= slice0cost_single_3_3 + slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_column_0_4 <= slice0cost_single_3_4 + slice0cost_pair_0_4 + slice0cost_single_0_4;
+        slice0cost_column_0_5 <= slice0cost_single_3_5 + slice0cost_pair_0_5 + slice0cost_single_0_5;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -1990,28 +2194,68 @@ begin
       end if;
       -- slice0other
       slice0other_cost_0_1_all := slice0window_tag_output_column and slice0window_tag_first_column;
-      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0window_sum_0_1 - slice0other_cost_0_0)
-        < 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_2_choice := slice0window_tag_output_column when (slice0window_sum_0_2 - slice0other_cost_0_1)
-        < 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_3_choice := slice0window_tag_output_column when (slice0window_sum_0_3 - slice0other_cost_0_2)
-        < 0 else slice0other_cost_0_1_all;
-      slice0other_cost_0_4_choice := slice0window_tag_output_column when (slice0window_sum_0_4 - slice0other_cost_0_3)
-        < 0 else slice0other_cost_0_1_all;
+      if (slice0window_sum_0_1 - slice0other_cost_0_0) < 0 then
+        slice0other_cost_0_1_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_1_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0window_sum_0_2 - slice0other_cost_0_1) < 0 then
+        slice0other_cost_0_2_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_2_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0window_sum_0_3 - slice0other_cost_0_2) < 0 then
+        slice0other_cost_0_3_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_3_choice := slice0other_cost_0_1_all;
+      end if;
+      if (slice0window_sum_0_4 - slice0other_cost_0_3) < 0 then
+        slice0other_cost_0_4_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_4_choice := slice0other_cost_0_1_all;
+      end if;
       slice0other_cost_0_5_all := slice0window_tag_output_column and (((slice0window_sum_0_5 - slice0other_cost_0_4) <
         0) or slice0window_tag_first_column);
       if slice0window_tag_valid then
-        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0window_tag_output_column else 0;
-        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_choice else slice0other_cost_0_0;
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_choice else slice0other_cost_0_1;
-        slice0other_cost_0_3 <= slice0window_sum_0_3 when slice0other_cost_0_3_choice else slice0other_cost_0_2;
-        slice0other_cost_0_4 <= slice0window_sum_0_4 when slice0other_cost_0_4_choice else slice0other_cost_0_3;
-        slice0other_cost_0_5 <= slice0window_sum_0_5 when slice0other_cost_0_5_all else slice0other_cost_0_4;
         slice0other_winner_0_1 <= slice0other_cost_0_1_choice;
-        slice0other_winner_0_2 <= 2 when slice0other_cost_0_2_choice else as_number(slice0other_winner_0_1);
-        slice0other_winner_0_3 <= 3 when slice0other_cost_0_3_choice else slice0other_winner_0_2;
-        slice0other_winner_0_4 <= 4 when slice0other_cost_0_4_choice else slice0other_winner_0_3;
-        slice0other_winner_0_5 <= 5 when slice0other_cost_0_5_all else slice0other_winner_0_4;
+        if slice0window_tag_output_column then
+          slice0other_cost_0_0 <= slice0window_sum_0_0;
+        else
+          slice0other_cost_0_0 <= 0;
+        end if;
+        if slice0other_cost_0_1_choice then
+          slice0other_cost_0_1 <= slice0window_sum_0_1;
+        else
+          slice0other_cost_0_1 <= slice0other_cost_0_0;
+        end if;
+        if slice0other_cost_0_2_choice then
+          slice0other_cost_0_2 <= slice0window_sum_0_2;
+          slice0other_winner_0_2 <= 2;
+        else
+          slice0other_cost_0_2 <= slice0other_cost_0_1;
+          slice0other_winner_0_2 <= as_number(slice0other_winner_0_1);
+        end if;
+        if slice0other_cost_0_3_choice then
+          slice0other_cost_0_3 <= slice0window_sum_0_3;
+          slice0other_winner_0_3 <= 3;
+        else
+          slice0other_cost_0_3 <= slice0other_cost_0_2;
+          slice0other_winner_0_3 <= slice0other_winner_0_2;
+        end if;
+        if slice0other_cost_0_4_choice then
+          slice0other_cost_0_4 <= slice0window_sum_0_4;
+          slice0other_winner_0_4 <= 4;
+        else
+          slice0other_cost_0_4 <= slice0other_cost_0_3;
+          slice0other_winner_0_4 <= slice0other_winner_0_3;
+        end if;
+        if slice0other_cost_0_5_all then
+          slice0other_cost_0_5 <= slice0window_sum_0_5;
+          slice0other_winner_0_5 <= 5;
+        else
+          slice0other_cost_0_5 <= slice0other_cost_0_4;
+          slice0other_winner_0_5 <= slice0other_winner_0_4;
+        end if;
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0_5;
       slice0other_winner_out_0 <= slice0other_winner_0_5;
@@ -2025,21 +2269,7 @@ begin
       slice0winner1_held_0_3 <= slice0window_sum_0_3;
       slice0winner1_held_0_4 <= slice0window_sum_0_4;
       slice0winner1_held_0_5 <= slice0window_sum_0_5;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
-      slice0winner1_best_below_0_1 <= slice0window_sum_0_2 when slice0winner1_best_cost_0_1_is_less else 0;
-      slice0winner1_best_below_0_2 <= slice0window_sum_0_4 when slice0winner1_best_cost_0_2_is_less else 0;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
-      slice0winner1_best_above_0_1 <= 0 when slice0winner1_best_cost_0_1_is_less else slice0window_sum_0_3;
-      slice0winner1_best_above_0_2 <= 0 when slice0winner1_best_cost_0_2_is_less else slice0window_sum_0_5;
       slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
       slice0winner1_best_late_cost_0_1 <= slice0winner1_best_cost_0_1;
       slice0winner1_best_late_cost_0_2 <= slice0winner1_best_cost_0_2;
@@ -2054,31 +2284,72 @@ begin
       slice0winner1_tag_first_column <= slice1window_centre_first_column_1;
       slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+      end if;
+      if slice0winner1_best_cost_0_1_is_less then
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_index_0_1 <= 3;
+        slice0winner1_best_below_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_above_0_1 <= 0;
+      else
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_index_0_1 <= 2;
+        slice0winner1_best_below_0_1 <= 0;
+        slice0winner1_best_above_0_1 <= slice0window_sum_0_3;
+      end if;
+      if slice0winner1_best_cost_0_2_is_less then
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_index_0_2 <= 5;
+        slice0winner1_best_below_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_above_0_2 <= 0;
+      else
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_index_0_2 <= 4;
+        slice0winner1_best_below_0_2 <= 0;
+        slice0winner1_best_above_0_2 <= slice0window_sum_0_5;
+      end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_below_0_0_is_equal := slice0winner1_best_index_0_1 = 2;
-      slice0winner2_best_below_0_0_choice := slice0winner1_held_0_1 when slice0winner2_best_below_0_0_is_equal else
-        slice0winner1_best_below_0_1;
-      slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_second_0_0_choice := 511 when slice0winner2_best_place_0_0 else
-        slice0winner1_best_late_cost_0_1;
-      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_but_first_0_1 when slice0winner2_best_at_end_0_0
-        else slice0winner2_best_second_0_0_choice;
-      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_place_0_0 else
-        511;
-      slice0winner2_best_second_0_0_choice_4 := slice0winner1_best_but_last_0_0 when slice0winner2_best_at_start_0_0
-        else slice0winner2_best_second_0_0_choice_3;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
+      if slice0winner2_best_below_0_0_is_equal then
+        slice0winner2_best_below_0_0_choice := slice0winner1_held_0_1;
+      else
+        slice0winner2_best_below_0_0_choice := slice0winner1_best_below_0_1;
+      end if;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
+      if slice0winner2_best_place_0_0 then
+        slice0winner2_best_second_0_0_choice := 511;
+      else
+        slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1;
+      end if;
+      if slice0winner2_best_at_end_0_0 then
+        slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_but_first_0_1;
+      else
+        slice0winner2_best_second_0_0_choice_2 := slice0winner2_best_second_0_0_choice;
+      end if;
+      if slice0winner2_best_place_0_0 then
+        slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_late_cost_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_3 := 511;
+      end if;
+      if slice0winner2_best_at_start_0_0 then
+        slice0winner2_best_second_0_0_choice_4 := slice0winner1_best_but_last_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_4 := slice0winner2_best_second_0_0_choice_3;
+      end if;
       slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
-      slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_below_0_0;
       slice0winner2_best_below_0_1 <= slice0winner1_best_below_0_2;
-      slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner2_best_above_0_0_choice;
       slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_2;
       slice0winner2_best_first_0_1 <= slice0winner1_held_0_4;
       slice0winner2_best_last_0_0 <= slice0winner1_held_0_3;
@@ -2089,41 +2360,67 @@ begin
         slice0winner1_best_cost_0_0) >= 0);
       slice0winner2_best_late_cost_0_0 <= slice0winner2_best_cost_0_0;
       slice0winner2_best_late_cost_0_1 <= slice0winner1_best_late_cost_0_2;
-      slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_2 when
-        (slice0winner2_best_second_0_0_choice_2 - slice0winner2_best_second_0_0_choice_4) < 0 else
-        slice0winner2_best_second_0_0_choice_4;
       slice0winner2_best_but_first_0_1 <= slice0winner1_best_but_first_0_2;
-      slice0winner2_best_but_last_0_0 <= slice0winner1_best_but_last_0_1 when (slice0winner1_best_but_last_0_1 -
-        slice0winner1_best_late_cost_0_0) < 0 else slice0winner1_best_late_cost_0_0;
       slice0winner2_best_but_last_0_1 <= slice0winner1_best_but_last_0_2;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice;
+        slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      end if;
+      if (slice0winner2_best_second_0_0_choice_2 - slice0winner2_best_second_0_0_choice_4) < 0 then
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_2;
+      else
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_4;
+      end if;
+      if (slice0winner1_best_but_last_0_1 - slice0winner1_best_late_cost_0_0) < 0 then
+        slice0winner2_best_but_last_0_0 <= slice0winner1_best_but_last_0_1;
+      else
+        slice0winner2_best_but_last_0_0 <= slice0winner1_best_late_cost_0_0;
+      end if;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner1_best_late_cost_0_2 - slice0winner2_best_cost_0_0) < 0;
-      slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0 when ((slice0winner2_best_index_0_1 / 4) = 1)
-        and (not ((slice0winner2_best_index_0_1 mod 2) = 1)) else slice0winner2_best_below_0_1;
+      if ((slice0winner2_best_index_0_1 / 4) = 1) and (not ((slice0winner2_best_index_0_1 mod 2) = 1)) then
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0;
+      else
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_below_0_1;
+      end if;
       slice0winner3_best_above_0_0_is_equal := slice0winner2_best_index_0_0 = 3;
-      slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1 when slice0winner3_best_above_0_0_is_equal
-        else slice0winner2_best_above_0_0;
-      slice0winner3_best_second_0_0_choice := 511 when slice0winner3_best_place_0_0 else
-        slice0winner2_best_late_cost_0_1;
-      slice0winner3_best_second_0_0_choice_2 := slice0winner2_best_but_first_0_1 when slice0winner3_best_at_end_0_0
-        else slice0winner3_best_second_0_0_choice;
-      slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_late_cost_0_0 when slice0winner3_best_place_0_0 else
-        slice0winner2_best_second_0_0;
-      slice0winner3_best_second_0_0_choice_4 := slice0winner2_best_but_last_0_0 when slice0winner3_best_at_start_0_0
-        else slice0winner3_best_second_0_0_choice_3;
-      slice0winner3_best_cost_0_0 <= slice0winner1_best_late_cost_0_2 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_below_0_0;
-      slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner3_best_above_0_0_choice;
+      if slice0winner3_best_above_0_0_is_equal then
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1;
+      else
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_above_0_0;
+      end if;
+      if slice0winner3_best_place_0_0 then
+        slice0winner3_best_second_0_0_choice := 511;
+      else
+        slice0winner3_best_second_0_0_choice := slice0winner2_best_late_cost_0_1;
+      end if;
+      if slice0winner3_best_at_end_0_0 then
+        slice0winner3_best_second_0_0_choice_2 := slice0winner2_best_but_first_0_1;
+      else
+        slice0winner3_best_second_0_0_choice_2 := slice0winner3_best_second_0_0_choice;
+      end if;
+      if slice0winner3_best_place_0_0 then
+        slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_late_cost_0_0;
+      else
+        slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_second_0_0;
+      end if;
+      if slice0winner3_best_at_start_0_0 then
+        slice0winner3_best_second_0_0_choice_4 := slice0winner2_best_but_last_0_0;
+      else
+        slice0winner3_best_second_0_0_choice_4 := slice0winner3_best_second_0_0_choice_3;
+      end if;
       slice0winner3_best_last_0_0 <= slice0winner2_best_last_0_1;
       slice0winner3_best_place_0_0 <= slice0winner3_best_cost_0_0_is_less;
       slice0winner3_best_at_start_0_0 <= slice0winner3_best_cost_0_0_is_less and ((slice0winner2_best_index_0_1 / 4) =
@@ -2131,16 +2428,32 @@ begin
       slice0winner3_best_at_end_0_0 <= ((slice0winner1_best_late_cost_0_2 - slice0winner2_best_cost_0_0) >= 0) and
         slice0winner3_best_above_0_0_is_equal;
       slice0winner3_best_late_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_2 when
-        (slice0winner3_best_second_0_0_choice_2 - slice0winner3_best_second_0_0_choice_4) < 0 else
-        slice0winner3_best_second_0_0_choice_4;
-      slice0winner3_best_but_last_0_0 <= slice0winner2_best_but_last_0_1 when (slice0winner2_best_but_last_0_1 -
-        slice0winner2_best_late_cost_0_0) < 0 else slice0winner2_best_late_cost_0_0;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_map_column <= slice0winner2_tag_map_column;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      if slice0winner3_best_cost_0_0_is_less then
+        slice0winner3_best_cost_0_0 <= slice0winner1_best_late_cost_0_2;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+        slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice;
+        slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+        slice0winner3_best_below_0_0 <= slice0winner2_best_below_0_0;
+        slice0winner3_best_above_0_0 <= slice0winner3_best_above_0_0_choice;
+      end if;
+      if (slice0winner3_best_second_0_0_choice_2 - slice0winner3_best_second_0_0_choice_4) < 0 then
+        slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_2;
+      else
+        slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_4;
+      end if;
+      if (slice0winner2_best_but_last_0_1 - slice0winner2_best_late_cost_0_0) < 0 then
+        slice0winner3_best_but_last_0_0 <= slice0winner2_best_but_last_0_1;
+      else
+        slice0winner3_best_but_last_0_0 <= slice0winner2_best_late_cost_0_0;
+      end if;
       -- slice0
       slice0_best_index_0_0 <= slice0winner3_best_index_0_0;
       slice0_best_below_0_0 <= slice0winner3_best_below_0_0;
@@ -2624,18 +2937,21 @@ begin
       slice1cost_single_3_3 <= slice1cost_pixels_cost_3_3;
       slice1cost_single_3_4 <= slice1cost_pixels_cost_3_4;
       slice1cost_single_3_5 <= slice1cost_pixels_cost_3_5;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_single_3_0 + slice1cost_pair_0_0 +
-        slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_single_3_1 + slice1cost_pair_0_1 +
-        slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_single_3_2 + slice1cost_pair_0_2 +
-        slice1cost_single_0_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_single_3_3 + slice1cost_pair_0_3 +
-        slice1cost_single_0_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_single_3_4 + slice1cost_pair_0_4 +
-        slice1cost_single_0_4;
-      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else slice1cost_single_3_5 + slice1cost_pair_0_5 +
-        slice1cost_single_0_5;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+        slice1cost_column_0_5 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_single_3_0 + slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= slice1cost_single_3_1 + slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= slice1cost_single_3_2 + slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_column_0_3 <= slice1cost_single_3_3 + slice1cost_pair_0_3 + slice1cost_single_0_3;
+        slice1cost_column_0_4 <= slice1cost_single_3_4 + slice1cost_pair_0_4 + slice1cost_single_0_4;
+        slice1cost_column_0_5 <= slice1cost_single_3_5 + slice1cost_pair_0_5 + slice1cost_single_0_5;
+      end if;
       if slice0cost_tag_valid then
         slice1cost_tag_output_column <= slice0cost_tag_output_column;
         slice1cost_tag_first_column <= slice0cost_tag_first_column;
@@ -2675,29 +2991,73 @@ begin
       slice1window_sum_0_5 <= slice1window_partial_0_2_5 + slice1cost_column_0_5;
       -- slice1other
       slice1other_cost_0_0_any := (not slice0winner1_tag_output_column) or (not slice0winner1_tag_first_column);
-      slice1other_cost_0_0_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_0 -
-        slice0other_cost_out_0) < 0 else slice1other_cost_0_0_any;
-      slice1other_cost_0_1_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_1 -
-        slice1other_cost_0_0) < 0 else slice1other_cost_0_0_any;
-      slice1other_cost_0_2_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_2 -
-        slice1other_cost_0_1) < 0 else slice1other_cost_0_0_any;
-      slice1other_cost_0_3_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_3 -
-        slice1other_cost_0_2) < 0 else slice1other_cost_0_0_any;
-      slice1other_cost_0_4_choice := not slice0winner1_tag_output_column when (slice1window_sum_0_4 -
-        slice1other_cost_0_3) < 0 else slice1other_cost_0_0_any;
+      if (slice1window_sum_0_0 - slice0other_cost_out_0) < 0 then
+        slice1other_cost_0_0_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_0_choice := slice1other_cost_0_0_any;
+      end if;
+      if (slice1window_sum_0_1 - slice1other_cost_0_0) < 0 then
+        slice1other_cost_0_1_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_1_choice := slice1other_cost_0_0_any;
+      end if;
+      if (slice1window_sum_0_2 - slice1other_cost_0_1) < 0 then
+        slice1other_cost_0_2_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_2_choice := slice1other_cost_0_0_any;
+      end if;
+      if (slice1window_sum_0_3 - slice1other_cost_0_2) < 0 then
+        slice1other_cost_0_3_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_3_choice := slice1other_cost_0_0_any;
+      end if;
+      if (slice1window_sum_0_4 - slice1other_cost_0_3) < 0 then
+        slice1other_cost_0_4_choice := not slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_4_choice := slice1other_cost_0_0_any;
+      end if;
       if slice0winner1_tag_valid then
-        slice1other_cost_0_0 <= slice0other_cost_out_0 when slice1other_cost_0_0_choice else slice1window_sum_0_0;
-        slice1other_cost_0_1 <= slice1other_cost_0_0 when slice1other_cost_0_1_choice else slice1window_sum_0_1;
-        slice1other_cost_0_2 <= slice1other_cost_0_1 when slice1other_cost_0_2_choice else slice1window_sum_0_2;
-        slice1other_cost_0_3 <= slice1other_cost_0_2 when slice1other_cost_0_3_choice else slice1window_sum_0_3;
-        slice1other_cost_0_4 <= slice1other_cost_0_3 when slice1other_cost_0_4_choice else slice1window_sum_0_4;
-        slice1other_winner_0_0 <= slice0other_winner_out_0 when slice1other_cost_0_0_choice else 6;
-        slice1other_winner_0_1 <= slice1other_winner_0_0 when slice1other_cost_0_1_choice else 7;
-        slice1other_winner_0_2 <= slice1other_winner_0_1 when slice1other_cost_0_2_choice else 8;
-        slice1other_winner_0_3 <= slice1other_winner_0_2 when slice1other_cost_0_3_choice else 9;
-        slice1other_winner_0_4 <= slice1other_winner_0_3 when slice1other_cost_0_4_choice else 10;
-        slice1other_winner_0_5 <= slice1other_winner_0_4 when (not slice0winner1_tag_output_column) or ((not
-          slice0winner1_tag_first_column) and ((slice1window_sum_0_5 - slice1other_cost_0_4) >= 0)) else 11;
+        if slice1other_cost_0_0_choice then
+          slice1other_cost_0_0 <= slice0other_cost_out_0;
+          slice1other_winner_0_0 <= slice0other_winner_out_0;
+        else
+          slice1other_cost_0_0 <= slice1window_sum_0_0;
+          slice1other_winner_0_0 <= 6;
+        end if;
+        if slice1other_cost_0_1_choice then
+          slice1other_cost_0_1 <= slice1other_cost_0_0;
+          slice1other_winner_0_1 <= slice1other_winner_0_0;
+        else
+          slice1other_cost_0_1 <= slice1window_sum_0_1;
+          slice1other_winner_0_1 <= 7;
+        end if;
+        if slice1other_cost_0_2_choice then
+          slice1other_cost_0_2 <= slice1other_cost_0_1;
+          slice1other_winner_0_2 <= slice1other_winner_0_1;
+        else
+          slice1other_cost_0_2 <= slice1window_sum_0_2;
+          slice1other_winner_0_2 <= 8;
+        end if;
+        if slice1other_cost_0_3_choice then
+          slice1other_cost_0_3 <= slice1other_cost_0_2;
+          slice1other_winner_0_3 <= slice1other_winner_0_2;
+        else
+          slice1other_cost_0_3 <= slice1window_sum_0_3;
+          slice1other_winner_0_3 <= 9;
+        end if;
+        if slice1other_cost_0_4_choice then
+          slice1other_cost_0_4 <= slice1other_cost_0_3;
+          slice1other_winner_0_4 <= slice1other_winner_0_3;
+        else
+          slice1other_cost_0_4 <= slice1window_sum_0_4;
+          slice1other_winner_0_4 <= 10;
+        end if;
+        if (not slice0winner1_tag_output_column) or ((not slice0winner1_tag_first_column) and ((slice1window_sum_0_5 -
+          slice1other_cost_0_4) >= 0)) then
+          slice1other_winner_0_5 <= slice1other_winner_0_4;
+        else
+          slice1other_winner_0_5 <= 11;
+        end if;
       end if;
       slice1other_winner_out_0 <= slice1other_winner_0_5;
       -- slice1winner1
@@ -2710,21 +3070,7 @@ begin
       slice1winner1_held_0_3 <= slice1window_sum_0_3;
       slice1winner1_held_0_4 <= slice1window_sum_0_4;
       slice1winner1_held_0_5 <= slice1window_sum_0_5;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
-      slice1winner1_best_below_0_1 <= slice1window_sum_0_2 when slice1winner1_best_cost_0_1_is_less else 0;
-      slice1winner1_best_below_0_2 <= slice1window_sum_0_4 when slice1winner1_best_cost_0_2_is_less else 0;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
-      slice1winner1_best_above_0_1 <= 0 when slice1winner1_best_cost_0_1_is_less else slice1window_sum_0_3;
-      slice1winner1_best_above_0_2 <= 0 when slice1winner1_best_cost_0_2_is_less else slice1window_sum_0_5;
       slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
       slice1winner1_best_late_cost_0_1 <= slice1winner1_best_cost_0_1;
       slice1winner1_best_late_cost_0_2 <= slice1winner1_best_cost_0_2;
@@ -2733,31 +3079,72 @@ begin
       slice1winner1_best_but_first_0_2 <= slice1winner1_held_0_5;
       slice1winner1_best_but_last_0_0 <= slice1winner1_held_0_0;
       slice1winner1_best_but_last_0_1 <= slice1winner1_held_0_2;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+      end if;
+      if slice1winner1_best_cost_0_1_is_less then
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+        slice1winner1_best_index_0_1 <= 3;
+        slice1winner1_best_below_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_above_0_1 <= 0;
+      else
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_index_0_1 <= 2;
+        slice1winner1_best_below_0_1 <= 0;
+        slice1winner1_best_above_0_1 <= slice1window_sum_0_3;
+      end if;
+      if slice1winner1_best_cost_0_2_is_less then
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+        slice1winner1_best_index_0_2 <= 5;
+        slice1winner1_best_below_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_above_0_2 <= 0;
+      else
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_index_0_2 <= 4;
+        slice1winner1_best_below_0_2 <= 0;
+        slice1winner1_best_above_0_2 <= slice1window_sum_0_5;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_below_0_0_is_equal := slice1winner1_best_index_0_1 = 2;
-      slice1winner2_best_below_0_0_choice := slice1winner1_held_0_1 when slice1winner2_best_below_0_0_is_equal else
-        slice1winner1_best_below_0_1;
-      slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_second_0_0_choice := 511 when slice1winner2_best_place_0_0 else
-        slice1winner1_best_late_cost_0_1;
-      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_but_first_0_1 when slice1winner2_best_at_end_0_0
-        else slice1winner2_best_second_0_0_choice;
-      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_place_0_0 else
-        511;
-      slice1winner2_best_second_0_0_choice_4 := slice1winner1_best_but_last_0_0 when slice1winner2_best_at_start_0_0
-        else slice1winner2_best_second_0_0_choice_3;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
+      if slice1winner2_best_below_0_0_is_equal then
+        slice1winner2_best_below_0_0_choice := slice1winner1_held_0_1;
+      else
+        slice1winner2_best_below_0_0_choice := slice1winner1_best_below_0_1;
+      end if;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
+      if slice1winner2_best_place_0_0 then
+        slice1winner2_best_second_0_0_choice := 511;
+      else
+        slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1;
+      end if;
+      if slice1winner2_best_at_end_0_0 then
+        slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_but_first_0_1;
+      else
+        slice1winner2_best_second_0_0_choice_2 := slice1winner2_best_second_0_0_choice;
+      end if;
+      if slice1winner2_best_place_0_0 then
+        slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_late_cost_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_3 := 511;
+      end if;
+      if slice1winner2_best_at_start_0_0 then
+        slice1winner2_best_second_0_0_choice_4 := slice1winner1_best_but_last_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_4 := slice1winner2_best_second_0_0_choice_3;
+      end if;
       slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
-      slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_below_0_0;
       slice1winner2_best_below_0_1 <= slice1winner1_best_below_0_2;
-      slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner2_best_above_0_0_choice;
       slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_2;
       slice1winner2_best_first_0_0 <= slice1winner1_held_0_0;
       slice1winner2_best_first_0_1 <= slice1winner1_held_0_4;
@@ -2768,37 +3155,66 @@ begin
         slice1winner1_best_cost_0_0) >= 0);
       slice1winner2_best_late_cost_0_0 <= slice1winner2_best_cost_0_0;
       slice1winner2_best_late_cost_0_1 <= slice1winner1_best_late_cost_0_2;
-      slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_2 when
-        (slice1winner2_best_second_0_0_choice_2 - slice1winner2_best_second_0_0_choice_4) < 0 else
-        slice1winner2_best_second_0_0_choice_4;
-      slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1 when (slice1winner1_best_late_cost_0_1 -
-        slice1winner1_best_but_first_0_0) < 0 else slice1winner1_best_but_first_0_0;
       slice1winner2_best_but_first_0_1 <= slice1winner1_best_but_first_0_2;
-      slice1winner2_best_but_last_0_0 <= slice1winner1_best_but_last_0_1 when (slice1winner1_best_but_last_0_1 -
-        slice1winner1_best_late_cost_0_0) < 0 else slice1winner1_best_late_cost_0_0;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice;
+        slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      end if;
+      if (slice1winner2_best_second_0_0_choice_2 - slice1winner2_best_second_0_0_choice_4) < 0 then
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_2;
+      else
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_4;
+      end if;
+      if (slice1winner1_best_late_cost_0_1 - slice1winner1_best_but_first_0_0) < 0 then
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1;
+      else
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_but_first_0_0;
+      end if;
+      if (slice1winner1_best_but_last_0_1 - slice1winner1_best_late_cost_0_0) < 0 then
+        slice1winner2_best_but_last_0_0 <= slice1winner1_best_but_last_0_1;
+      else
+        slice1winner2_best_but_last_0_0 <= slice1winner1_best_late_cost_0_0;
+      end if;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner1_best_late_cost_0_2 - slice1winner2_best_cost_0_0) < 0;
-      slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0 when ((slice1winner2_best_index_0_1 / 4) = 1)
-        and (not ((slice1winner2_best_index_0_1 mod 2) = 1)) else slice1winner2_best_below_0_1;
+      if ((slice1winner2_best_index_0_1 / 4) = 1) and (not ((slice1winner2_best_index_0_1 mod 2) = 1)) then
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0;
+      else
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_below_0_1;
+      end if;
       slice1winner3_best_above_0_0_is_equal := slice1winner2_best_index_0_0 = 3;
-      slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1 when slice1winner3_best_above_0_0_is_equal
-        else slice1winner2_best_above_0_0;
-      slice1winner3_best_second_0_0_choice := 511 when slice1winner3_best_place_0_0 else
-        slice1winner2_best_late_cost_0_1;
-      slice1winner3_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_1 when slice1winner3_best_at_end_0_0
-        else slice1winner3_best_second_0_0_choice;
-      slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0 when slice1winner3_best_place_0_0 else
-        slice1winner2_best_second_0_0;
-      slice1winner3_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0 when slice1winner3_best_at_start_0_0
-        else slice1winner3_best_second_0_0_choice_3;
-      slice1winner3_best_cost_0_0 <= slice1winner1_best_late_cost_0_2 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
-      slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_below_0_0;
-      slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner3_best_above_0_0_choice;
+      if slice1winner3_best_above_0_0_is_equal then
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1;
+      else
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_above_0_0;
+      end if;
+      if slice1winner3_best_place_0_0 then
+        slice1winner3_best_second_0_0_choice := 511;
+      else
+        slice1winner3_best_second_0_0_choice := slice1winner2_best_late_cost_0_1;
+      end if;
+      if slice1winner3_best_at_end_0_0 then
+        slice1winner3_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_1;
+      else
+        slice1winner3_best_second_0_0_choice_2 := slice1winner3_best_second_0_0_choice;
+      end if;
+      if slice1winner3_best_place_0_0 then
+        slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0;
+      else
+        slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_second_0_0;
+      end if;
+      if slice1winner3_best_at_start_0_0 then
+        slice1winner3_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0;
+      else
+        slice1winner3_best_second_0_0_choice_4 := slice1winner3_best_second_0_0_choice_3;
+      end if;
       slice1winner3_best_first_0_0 <= slice1winner2_best_first_0_0;
       slice1winner3_best_place_0_0 <= slice1winner3_best_cost_0_0_is_less;
       slice1winner3_best_at_start_0_0 <= slice1winner3_best_cost_0_0_is_less and ((slice1winner2_best_index_0_1 / 4) =
@@ -2806,47 +3222,87 @@ begin
       slice1winner3_best_at_end_0_0 <= ((slice1winner1_best_late_cost_0_2 - slice1winner2_best_cost_0_0) >= 0) and
         slice1winner3_best_above_0_0_is_equal;
       slice1winner3_best_late_cost_0_0 <= slice1winner3_best_cost_0_0;
-      slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_2 when
-        (slice1winner3_best_second_0_0_choice_2 - slice1winner3_best_second_0_0_choice_4) < 0 else
-        slice1winner3_best_second_0_0_choice_4;
-      slice1winner3_best_but_first_0_0 <= slice1winner2_best_late_cost_0_1 when (slice1winner2_best_late_cost_0_1 -
-        slice1winner2_best_but_first_0_0) < 0 else slice1winner2_best_but_first_0_0;
+      if slice1winner3_best_cost_0_0_is_less then
+        slice1winner3_best_cost_0_0 <= slice1winner1_best_late_cost_0_2;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
+        slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice;
+        slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1;
+      else
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
+        slice1winner3_best_below_0_0 <= slice1winner2_best_below_0_0;
+        slice1winner3_best_above_0_0 <= slice1winner3_best_above_0_0_choice;
+      end if;
+      if (slice1winner3_best_second_0_0_choice_2 - slice1winner3_best_second_0_0_choice_4) < 0 then
+        slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_2;
+      else
+        slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_4;
+      end if;
+      if (slice1winner2_best_late_cost_0_1 - slice1winner2_best_but_first_0_0) < 0 then
+        slice1winner3_best_but_first_0_0 <= slice1winner2_best_late_cost_0_1;
+      else
+        slice1winner3_best_but_first_0_0 <= slice1winner2_best_but_first_0_0;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice1winner3_best_cost_0_0 - slice0winner3_best_late_cost_0_0) < 0;
       slice1_best_below_0_0_is_equal := slice1winner3_best_index_0_0 = 0;
-      slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1_best_below_0_0_is_equal else
-        slice1winner3_best_below_0_0;
+      if slice1_best_below_0_0_is_equal then
+        slice1_best_below_0_0_choice := slice0_best_last_0_0;
+      else
+        slice1_best_below_0_0_choice := slice1winner3_best_below_0_0;
+      end if;
       slice1_best_above_0_0_is_equal := slice0_best_index_0_0 = 5;
-      slice1_best_above_0_0_choice := slice1winner3_best_first_0_0 when slice1_best_above_0_0_is_equal else
-        slice0_best_above_0_0;
-      slice1_best_second_0_0_choice := slice1winner3_best_second_0_0 when slice1_best_place_0_0 else
-        slice1winner3_best_late_cost_0_0;
-      slice1_best_second_0_0_choice_2 := slice1winner3_best_but_first_0_0 when slice1_best_at_end_0_0 else
-        slice1_best_second_0_0_choice;
-      slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0 when slice1_best_place_0_0 else
-        slice0_best_second_0_0;
-      slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0 when slice1_best_at_start_0_0 else
-        slice1_best_second_0_0_choice_3;
-      slice1_best_cost_0_0 <= slice1winner3_best_cost_0_0 when slice1_best_cost_0_0_is_less else
-        slice0winner3_best_late_cost_0_0;
-      slice1_best_index_0_0 <= (((slice1winner3_best_index_0_0 / 2) + 3) * 2) + (slice1winner3_best_index_0_0 mod 2)
-        when slice1_best_cost_0_0_is_less else slice0_best_index_0_0;
-      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
-        slice0_best_below_0_0;
-      slice1_best_above_0_0 <= slice1winner3_best_above_0_0 when slice1_best_cost_0_0_is_less else
-        slice1_best_above_0_0_choice;
+      if slice1_best_above_0_0_is_equal then
+        slice1_best_above_0_0_choice := slice1winner3_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice0_best_above_0_0;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice := slice1winner3_best_second_0_0;
+      else
+        slice1_best_second_0_0_choice := slice1winner3_best_late_cost_0_0;
+      end if;
+      if slice1_best_at_end_0_0 then
+        slice1_best_second_0_0_choice_2 := slice1winner3_best_but_first_0_0;
+      else
+        slice1_best_second_0_0_choice_2 := slice1_best_second_0_0_choice;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0;
+      else
+        slice1_best_second_0_0_choice_3 := slice0_best_second_0_0;
+      end if;
+      if slice1_best_at_start_0_0 then
+        slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0;
+      else
+        slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3;
+      end if;
       slice1_best_place_0_0 <= slice1_best_cost_0_0_is_less;
       slice1_best_at_start_0_0 <= slice1_best_cost_0_0_is_less and slice1_best_below_0_0_is_equal;
       slice1_best_at_end_0_0 <= ((slice1winner3_best_cost_0_0 - slice0winner3_best_late_cost_0_0) >= 0) and
         slice1_best_above_0_0_is_equal;
       slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
-      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
-        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+        slice1_best_index_0_0 <= (((slice1winner3_best_index_0_0 / 2) + 3) * 2) + (slice1winner3_best_index_0_0 mod 2);
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice1winner3_best_above_0_0;
+      else
+        slice1_best_cost_0_0 <= slice0winner3_best_late_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice0_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      end if;
+      if (slice1_best_second_0_0_choice_2 - slice1_best_second_0_0_choice_4) < 0 then
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2;
+      else
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_4;
+      end if;
       -- refinement
       refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 1024) - refinement_divisor_0_0;
       refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 1024) - refinement_divisor_1_0;
@@ -2856,7 +3312,11 @@ begin
       refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 1024) - refinement_divisor_5_0;
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 1024) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -2884,8 +3344,6 @@ begin
       refinement_passed_0_0 <= true;
       refinement_passed_1_0 <= refinement_passed_0_0;
       refinement_passed_2_0 <= refinement_passed_1_0;
-      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_0 else refinement_passed_2_0 and
-        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
       refinement_passed_6_0 <= refinement_passed_5_0;
@@ -2960,26 +3418,10 @@ begin
       refinement_lowest_0 <= slice1_best_late_cost_0_0;
       refinement_scaled_gap_0 <= (((refinement_gap_0 + (refinement_gap_0 / 4)) * 4) + (refinement_gap_0 mod 4)) * 2;
       refinement_scaled_cost_0 <= refinement_lowest_0;
-      refinement_below_0 <= slice1_best_above_0_0 when slice1_best_index_0_0 = 0 else slice1_best_below_0_0;
-      refinement_above_0 <= slice1_best_below_0_0 when slice1_best_index_0_0 = 11 else slice1_best_above_0_0;
       refinement_u_0 <= (refinement_below_0 - slice1_best_late_cost_0_0) mod 512;
       refinement_v_0 <= (refinement_above_0 - slice1_best_late_cost_0_0) mod 512;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 512 when (refinement_remainder_1_0_difference
-        / 1024) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 512 when (refinement_remainder_2_0_difference
-        / 1024) = 1 else (refinement_remainder_1_0 mod 256) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 512 when (refinement_remainder_3_0_difference
-        / 1024) = 1 else (refinement_remainder_2_0 mod 256) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 512 when (refinement_remainder_4_0_difference
-        / 1024) = 1 else (refinement_remainder_3_0 mod 256) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 512 when (refinement_remainder_5_0_difference
-        / 1024) = 1 else (refinement_remainder_4_0 mod 256) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 512 when (refinement_remainder_6_0_difference
-        / 1024) = 1 else (refinement_remainder_5_0 mod 256) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 512 when (refinement_remainder_7_0_difference
-        / 1024) = 1 else (refinement_remainder_6_0 mod 256) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 9)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 9))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
@@ -3001,22 +3443,77 @@ begin
       refinement_negative_7_0 <= refinement_negative_6_0;
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 4) * 8) + refinement_fraction_0_choice_2;
+      if refinement_alone_1_0 then
+        refinement_passed_3_0 <= refinement_passed_2_0;
+      else
+        refinement_passed_3_0 <= refinement_passed_2_0 and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      end if;
+      if slice1_best_index_0_0 = 0 then
+        refinement_below_0 <= slice1_best_above_0_0;
+      else
+        refinement_below_0 <= slice1_best_below_0_0;
+      end if;
+      if slice1_best_index_0_0 = 11 then
+        refinement_above_0 <= slice1_best_below_0_0;
+      else
+        refinement_above_0 <= slice1_best_above_0_0;
+      end if;
+      if (refinement_remainder_1_0_difference / 1024) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 512;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_2_0_difference / 1024) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 512;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 1024) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 512;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 1024) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 512;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 1024) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 512;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 1024) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 512;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 1024) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 512;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 256) * 2;
+      end if;
       -- leftright
       leftright_holds_winners_all := (leftright_ring_read_address /= 0) and (not leftright_holds_winners);
       leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
       leftright_checked_tag_row_start_is_equal := map_counter_column = 25;
       leftright_checked_tag_row_start_any := ((map_counter_group / 4) /= 4) or (not (((map_counter_group / 2) mod 2) =
         1)) or (not ((map_counter_group mod 2) = 1));
-      leftright_checked_tag_row_start_choice := (map_counter_group /= 18) and leftright_checked_tag_row_start when
-        leftright_checked_tag_row_start_is_equal and leftright_checked_tag_row_start_any else
-        leftright_checked_tag_row_start;
+      if leftright_checked_tag_row_start_is_equal and leftright_checked_tag_row_start_any then
+        leftright_checked_tag_row_start_choice := (map_counter_group /= 18) and leftright_checked_tag_row_start;
+      else
+        leftright_checked_tag_row_start_choice := leftright_checked_tag_row_start;
+      end if;
       leftright_checked_tag_row_start_is_equal_2 := map_counter_group = 17;
       leftright_checked_tag_row_start_all := leftright_checked_tag_row_start_is_equal and
         leftright_checked_tag_row_start_is_equal_2;
-      leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start_all or (not
-        leftright_checked_tag_start_of_frame) when leftright_checked_tag_row_start_choice else
-        leftright_checked_tag_row_start_is_equal and leftright_checked_tag_row_start_is_equal_2 and
-        leftright_checked_tag_start_of_frame;
+      if leftright_checked_tag_row_start_choice then
+        leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start_all or (not
+          leftright_checked_tag_start_of_frame);
+      else
+        leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start_is_equal and
+          leftright_checked_tag_row_start_is_equal_2 and leftright_checked_tag_start_of_frame;
+      end if;
       leftright_checked_tag_row_start_all_2 := leftright_checked_tag_valid and leftright_checked_tag_map_column;
       leftright_other_1_0 <= slice1other_winner_out_0;
       leftright_other_2_0 <= leftright_other_1_0;
@@ -3032,8 +3529,6 @@ begin
       leftright_other_12_0 <= leftright_other_11_0;
       leftright_other_13_0 <= leftright_other_12_0;
       leftright_other_14_0 <= leftright_other_13_0;
-      leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners when
-        leftright_holds_winners_all else refinement_tag_11_valid or leftright_holds_winners;
       leftright_position <= (leftright_position + as_number(refinement_tag_11_valid)) mod 16;
       leftright_held_position <= leftright_position;
       leftright_held_valid <= (not leftright_holds_winners_all) and refinement_tag_11_valid;
@@ -3057,30 +3552,58 @@ begin
       leftright_checked_passed_0 <= leftright_answered_passed_0 and (leftright_checked_passed_0_difference >= 0) and
         (leftright_checked_passed_0_difference < 3);
       leftright_checked_tag_valid <= leftright_answered_tag_valid;
-      leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_2 when
-        leftright_checked_tag_row_start_choice_2 else leftright_checked_tag_row_start and ((not
-        leftright_checked_tag_valid) or (not leftright_checked_tag_map_column));
       leftright_checked_tag_map_column <= leftright_answered_tag_map_column;
       leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
       leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if leftright_holds_winners_all then
+        leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners;
+      else
+        leftright_holds_winners <= refinement_tag_11_valid or leftright_holds_winners;
+      end if;
+      if leftright_checked_tag_row_start_choice_2 then
+        leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_2;
+      else
+        leftright_checked_tag_row_start <= leftright_checked_tag_row_start and ((not leftright_checked_tag_valid) or
+          (not leftright_checked_tag_map_column));
+      end if;
       if refinement_tag_11_valid then
-        leftright_ring_read_address <= 0 when leftright_ring_read_address = 11 else (leftright_ring_read_address + 1)
-          mod 16;
         leftright_ring_write_address <= leftright_ring_read_address;
+        if leftright_ring_read_address = 11 then
+          leftright_ring_read_address <= 0;
+        else
+          leftright_ring_read_address <= (leftright_ring_read_address + 1) mod 16;
+        end if;
       end if;
       -- map
       if leftright_checked_tag_row_start_all_2 then
-        map_counter_column <= 0 when leftright_checked_tag_row_start_is_equal or leftright_checked_tag_start_of_frame
-          else (map_counter_column + 1) mod 32;
+        if leftright_checked_tag_row_start_is_equal or leftright_checked_tag_start_of_frame then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 32;
+        end if;
       end if;
-      map_counter_group_choice := 9 when leftright_checked_tag_row_start_all else 0;
+      if leftright_checked_tag_row_start_all then
+        map_counter_group_choice := 9;
+      else
+        map_counter_group_choice := 0;
+      end if;
       map_counter_group_is_equal := map_counter_group = 18;
-      map_counter_group_choice_2 := 1 when leftright_checked_tag_row_start and map_counter_group_is_equal else
-        (map_counter_group + 1) mod 32;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when leftright_checked_tag_row_start_is_equal and
-        leftright_checked_tag_row_start_any and leftright_checked_tag_valid and leftright_checked_tag_map_column else
-        map_counter_group;
-      map_line_ended_choice := leftright_checked_tag_map_column when leftright_checked_tag_valid else map_line_ended;
+      if leftright_checked_tag_row_start and map_counter_group_is_equal then
+        map_counter_group_choice_2 := 1;
+      else
+        map_counter_group_choice_2 := (map_counter_group + 1) mod 32;
+      end if;
+      if leftright_checked_tag_row_start_is_equal and leftright_checked_tag_row_start_any and
+        leftright_checked_tag_valid and leftright_checked_tag_map_column then
+        map_counter_group_choice_3 := map_counter_group_choice_2;
+      else
+        map_counter_group_choice_3 := map_counter_group;
+      end if;
+      if leftright_checked_tag_valid then
+        map_line_ended_choice := leftright_checked_tag_map_column;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_6(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
@@ -3092,8 +3615,16 @@ begin
       else
         map_of_column_0_c_choice := map_column_2 / 2;
       end if;
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
       if map_of_column_0_c_below_b then
         map_sorted_middle_0_choice := map_of_column_0_b;
       else
@@ -3115,32 +3646,81 @@ begin
         map_sorted_high_0_choice_2 := map_of_column_0_c;
       end if;
       map_window_complete_all := (not map_sorted_arrives) and (not map_sorted_behind);
-      map_window_complete_choice := map_window_complete_all when (map_sorted_column mod 2) = 1 else not
-        map_sorted_behind;
-      map_window_complete_choice_2 := map_window_complete_choice when (map_sorted_column / 2) = 0 else
-        map_window_complete_all;
-      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
-        map_median_middle_0_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_counter_group <= map_counter_group_choice * 2 when leftright_checked_tag_start_of_frame and
-        leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group_choice_3;
+      if (map_sorted_column mod 2) = 1 then
+        map_window_complete_choice := map_window_complete_all;
+      else
+        map_window_complete_choice := not map_sorted_behind;
+      end if;
+      if (map_sorted_column / 2) = 0 then
+        map_window_complete_choice_2 := map_window_complete_choice;
+      else
+        map_window_complete_choice_2 := map_window_complete_all;
+      end if;
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice := map_of_low_0_a;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice_2 := map_of_low_0_b;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_2 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_4 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
       map_counter_next_frame <= to_integer(other_6(40 downto 40)) = 1;
       map_newest_0 <= ((((((((leftright_checked_disparity_0 + 4095) mod 2048) * 2) + (leftright_checked_fraction_0 / 8)
         + 1) mod 4096) * 8) + (leftright_checked_fraction_0 mod 8)) * 2) + as_number(leftright_checked_passed_0);
       map_arrives <= leftright_checked_tag_row_start_all_2;
       map_behind <= map_line_ended and leftright_checked_tag_valid;
-      map_line_ended <= map_line_ended_choice when leftright_checked_tag_end_of_line else map_line_ended and (not
-        leftright_checked_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -3169,12 +3749,6 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
-        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
       map_window_complete <= (not map_window_complete_choice_2) and map_sorted_output;
       map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
       map_window_last <= map_sorted_behind;
@@ -3196,10 +3770,6 @@ begin
       map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
-        map_median_middle_0_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
@@ -3218,29 +3788,90 @@ begin
       map_waiting_passed_0_0 <= map_passed_1_0;
       map_waiting_passed_1_0 <= map_waiting_passed_0_0;
       map_waiting_passed_2_0 <= map_waiting_passed_1_0;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_map_column then
+        map_counter_group <= map_counter_group_choice * 2;
+      else
+        map_counter_group <= map_counter_group_choice_3;
+      end if;
+      if leftright_checked_tag_end_of_line then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= map_line_ended and (not leftright_checked_tag_valid);
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_passed_0_0 then
+        map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind;
+      else
+        map_passed_1_0 <= map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      end if;
+      if map_of_low_0_b_below_a then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
         map_at_column <= to_integer(other_6(4 downto 0));
       end if;
-      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_0_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
       map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
-      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_0_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
       if not map_window_complete_all then
         map_low_0_0 <= map_low_0_0_choice;
-        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
         map_middle_0_0 <= map_middle_0_0_choice;
-        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
         map_high_0_0 <= map_high_0_0_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
+        if map_low_1_0_all then
+          map_low_1_0 <= map_low_0_0_choice;
+          map_middle_1_0 <= map_middle_0_0_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+        else
+          map_low_1_0 <= map_low_0_0;
+          map_middle_1_0 <= map_middle_0_0;
+          map_high_1_0 <= map_high_0_0;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;

@@ -505,107 +505,167 @@ architecture rtl of stereo_core_tiny_phase_left is
   signal other_8, other_9, other_12, other_13 : natural range 0 to 8192;
   signal other_10, other_14 : natural range 0 to 2042;
   signal other_15, other_16 : natural range 0 to 257;
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal transform_left_rows_read_words_2_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_2_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_2_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal transform_left_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_2_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_2_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_2_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal transform_right_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  transform_left_rows_read_words_2_memory_read_enable <= true;
+  transform_left_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_2_memory_write_data <= to_unsigned(transform_left_rows_write_words_2, 8);
   transform_left_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 40, width => 8)
+    generic map (depth => 40, width => 8, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_2,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_2_memory_read_enable,
+      read_address => transform_left_rows_read_words_2_memory_read_address, read_data => transform_left_rows_read_words_2,
+      write_address => transform_left_rows_read_words_2_memory_write_address, write_data => transform_left_rows_read_words_2_memory_write_data);
 
+  transform_left_rows_read_words_1_memory_read_enable <= true;
+  transform_left_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_1_memory_write_data <= transform_left_rows_write_words_1;
   transform_left_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_1_memory_read_enable,
+      read_address => transform_left_rows_read_words_1_memory_read_address, read_data => transform_left_rows_read_words_1,
+      write_address => transform_left_rows_read_words_1_memory_write_address, write_data => transform_left_rows_read_words_1_memory_write_data);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_2_memory_read_enable <= true;
+  transform_right_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_2_memory_write_data <= to_unsigned(transform_right_rows_write_words_2, 8);
   transform_right_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 40, width => 8)
+    generic map (depth => 40, width => 8, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_2,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_2_memory_read_enable,
+      read_address => transform_right_rows_read_words_2_memory_read_address, read_data => transform_right_rows_read_words_2,
+      write_address => transform_right_rows_read_words_2_memory_write_address, write_data => transform_right_rows_read_words_2_memory_write_data);
 
+  transform_right_rows_read_words_1_memory_read_enable <= true;
+  transform_right_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_1_memory_write_data <= transform_right_rows_write_words_1;
   transform_right_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_1_memory_read_enable,
+      read_address => transform_right_rows_read_words_1_memory_read_address, read_data => transform_right_rows_read_words_1,
+      write_address => transform_right_rows_read_words_1_memory_write_address, write_data => transform_right_rows_read_words_1_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -696,33 +756,58 @@ begin
       transform_counter_group_is_equal := transform_counter_column = 39;
       transform_counter_group_is_equal_2 := transform_counter_group = 17;
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      transform_counter_group_choice := 9 when transform_counter_group_all else 0;
-      transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and ((transform_counter_group
-        mod 2) = 1) when (transform_counter_group / 2) = 11 else transform_counter_group_is_equal and in_valid;
+      if transform_counter_group_all then
+        transform_counter_group_choice := 9;
+      else
+        transform_counter_group_choice := 0;
+      end if;
+      if (transform_counter_group / 2) = 11 then
+        transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and ((transform_counter_group
+          mod 2) = 1);
+      else
+        transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid;
+      end if;
       transform_counter_group_is_equal_3 := transform_counter_group = 21;
-      transform_counter_group_choice_3 := 4 when transform_counter_next_frame and transform_counter_group_is_equal_3
-        else (transform_counter_group + 1) mod 32;
-      transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_choice_2 else
-        transform_counter_group;
+      if transform_counter_next_frame and transform_counter_group_is_equal_3 then
+        transform_counter_group_choice_3 := 4;
+      else
+        transform_counter_group_choice_3 := (transform_counter_group + 1) mod 32;
+      end if;
+      if transform_counter_group_choice_2 then
+        transform_counter_group_choice_4 := transform_counter_group_choice_3;
+      else
+        transform_counter_group_choice_4 := transform_counter_group;
+      end if;
       transform_centre_column_any := (not ((not (((transform_counter_column / 8) mod 2) = 1)) and ((not
         (((transform_counter_column / 4) mod 2) = 1)) or ((transform_counter_column mod 4) = 0)))) or
         ((transform_counter_column / 32) = 1) or (((transform_counter_column / 16) mod 2) = 1);
-      transform_centre_column_choice := 59 when transform_centre_column_any else 35;
+      if transform_centre_column_any then
+        transform_centre_column_choice := 59;
+      else
+        transform_centre_column_choice := 35;
+      end if;
       transform_from_first_1_differs := (transform_centre_column / 4) /= 0;
       transform_up_to_last_0_is_equal := (transform_centre_group / 16) = 0;
-      transform_up_to_last_0_choice := not ((transform_centre_group / 32) = 1) when (not (((transform_centre_group / 8)
-        mod 2) = 1)) and ((not (((transform_centre_group / 4) mod 2) = 1)) or ((transform_centre_group mod 4) = 0))
-        else transform_up_to_last_0_is_equal;
-      transform_up_to_last_1_choice := ((transform_centre_column / 2) mod 8) = 0 when (transform_centre_column mod 2) =
-        1 else ((transform_centre_column / 4) mod 4) = 0;
-      transform_up_to_last_1_choice_2 := not ((transform_centre_group / 32) = 1) when ((not (((transform_centre_group /
-        2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and (((transform_centre_group / 4) mod 4) = 0)
-        else transform_up_to_last_0_is_equal;
+      if (not (((transform_centre_group / 8) mod 2) = 1)) and ((not (((transform_centre_group / 4) mod 2) = 1)) or
+        ((transform_centre_group mod 4) = 0)) then
+        transform_up_to_last_0_choice := not ((transform_centre_group / 32) = 1);
+      else
+        transform_up_to_last_0_choice := transform_up_to_last_0_is_equal;
+      end if;
+      if (transform_centre_column mod 2) = 1 then
+        transform_up_to_last_1_choice := ((transform_centre_column / 2) mod 8) = 0;
+      else
+        transform_up_to_last_1_choice := ((transform_centre_column / 4) mod 4) = 0;
+      end if;
+      if ((not (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+        (((transform_centre_group / 4) mod 4) = 0) then
+        transform_up_to_last_1_choice_2 := not ((transform_centre_group / 32) = 1);
+      else
+        transform_up_to_last_1_choice_2 := transform_up_to_last_0_is_equal;
+      end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice * 2 when in_valid and in_start_of_frame else
-        transform_counter_group_choice_4;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_words_1 <= transform_left_rows_read_words_1;
@@ -737,20 +822,6 @@ begin
       transform_ready_column <= transform_read_column;
       transform_centre_column <= (transform_centre_column_choice + transform_counter_column) mod 64;
       transform_centre_group <= transform_counter_group + as_number(transform_centre_column_any);
-      transform_from_first_0 <= (not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
-        (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
-        ((transform_centre_group / 8) = 0))) and ((transform_centre_column / 32) = 1) when ((transform_centre_column /
-        2) mod 16) = 0 else not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not (((transform_centre_group /
-        2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and ((transform_centre_group / 8) = 0));
-      transform_from_first_1 <= transform_from_first_1_differs and ((transform_centre_group / 32) = 1) when (not
-        (((transform_centre_group / 16) mod 2) = 1)) and ((not (((transform_centre_group / 8) mod 2) = 1)) or
-        (((transform_centre_group / 2) mod 4) = 0)) else transform_from_first_1_differs;
-      transform_up_to_last_0 <= transform_up_to_last_0_choice when ((not (((transform_centre_column / 4) mod 2) = 1))
-        or (not (((transform_centre_column / 2) mod 2) = 1))) and (((transform_centre_column / 8) mod 4) = 0) else
-        transform_up_to_last_0_choice and (not ((transform_centre_column / 32) = 1));
-      transform_up_to_last_1 <= transform_up_to_last_1_choice_2 and ((not ((transform_centre_column / 32) = 1)) or (not
-        (((transform_centre_column / 16) mod 2) = 1))) when transform_up_to_last_1_choice else
-        transform_up_to_last_1_choice_2 and (not ((transform_centre_column / 32) = 1));
       transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
       transform_left_column_1 <= to_integer(transform_left_rows_ready_words_0(15 downto 8));
       transform_left_column_2 <= to_integer(transform_left_rows_ready_words_0(23 downto 16));
@@ -824,7 +895,6 @@ begin
         transform_left_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_left_code_row_even_1 -
         transform_left_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_left_code_row_even_1 +
         transform_left_code_row_odd_2) mod 16384) / 8192) * 16);
-      transform_left_code_bits <= transform_left_code_earlier_2 when transform_filtering_6_inside_0 else 0;
       transform_left_code_next_column_box_0_0_0 <= transform_left_column_0 + transform_left_column_1;
       transform_left_code_next_column_box_0_1_0 <= transform_left_column_2 + transform_left_column_3;
       transform_left_code_next_column_box_0_2_0 <= transform_left_column_4 + transform_left_column_5;
@@ -889,7 +959,6 @@ begin
         ((((transform_left_code_next_row_odd_1 - transform_left_code_next_row_even_2) mod 65536) / 32768) * 32) +
         ((((transform_left_code_next_row_even_1 - transform_left_code_next_row_odd_2) mod 65536) / 32768) * 4) +
         ((((transform_left_code_next_row_even_1 + transform_left_code_next_row_odd_2) mod 65536) / 32768) * 16);
-      transform_left_code_next_bits <= transform_left_code_next_row_signs when transform_filtering_6_inside_1 else 0;
       transform_right_code_column_box_0_0_0 <= transform_right_column_3;
       transform_right_code_column_box_0_1_0 <= transform_right_column_4;
       transform_right_code_column_box_0_2_0 <= transform_right_column_5;
@@ -941,7 +1010,6 @@ begin
         transform_right_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_right_code_row_even_1 -
         transform_right_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_right_code_row_even_1 +
         transform_right_code_row_odd_2) mod 16384) / 8192) * 16);
-      transform_right_code_bits <= transform_right_code_earlier_2 when transform_filtering_6_inside_0 else 0;
       transform_right_code_next_column_box_0_0_0 <= transform_right_column_0 + transform_right_column_1;
       transform_right_code_next_column_box_0_1_0 <= transform_right_column_2 + transform_right_column_3;
       transform_right_code_next_column_box_0_2_0 <= transform_right_column_4 + transform_right_column_5;
@@ -1006,7 +1074,6 @@ begin
         ((((transform_right_code_next_row_odd_1 - transform_right_code_next_row_even_2) mod 65536) / 32768) * 32) +
         ((((transform_right_code_next_row_even_1 - transform_right_code_next_row_odd_2) mod 65536) / 32768) * 4) +
         ((((transform_right_code_next_row_even_1 + transform_right_code_next_row_odd_2) mod 65536) / 32768) * 16);
-      transform_right_code_next_bits <= transform_right_code_next_row_signs when transform_filtering_6_inside_1 else 0;
       transform_filtering_0_inside_0 <= transform_columns_inside_0;
       transform_filtering_0_inside_1 <= transform_columns_inside_1;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -1037,14 +1104,69 @@ begin
       transform_filtering_6_valid <= transform_filtering_5_valid;
       transform_filtering_7_start_of_frame <= transform_filtering_6_start_of_frame;
       transform_filtering_7_valid <= transform_filtering_6_valid;
-      transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
-        transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= transform_counter_group_choice * 2;
+      else
+        transform_counter_group <= transform_counter_group_choice_4;
+      end if;
+      if ((transform_centre_column / 2) mod 16) = 0 then
+        transform_from_first_0 <= (not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
+          (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+          ((transform_centre_group / 8) = 0))) and ((transform_centre_column / 32) = 1);
+      else
+        transform_from_first_0 <= not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
+          (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+          ((transform_centre_group / 8) = 0));
+      end if;
+      if (not (((transform_centre_group / 16) mod 2) = 1)) and ((not (((transform_centre_group / 8) mod 2) = 1)) or
+        (((transform_centre_group / 2) mod 4) = 0)) then
+        transform_from_first_1 <= transform_from_first_1_differs and ((transform_centre_group / 32) = 1);
+      else
+        transform_from_first_1 <= transform_from_first_1_differs;
+      end if;
+      if ((not (((transform_centre_column / 4) mod 2) = 1)) or (not (((transform_centre_column / 2) mod 2) = 1))) and
+        (((transform_centre_column / 8) mod 4) = 0) then
+        transform_up_to_last_0 <= transform_up_to_last_0_choice;
+      else
+        transform_up_to_last_0 <= transform_up_to_last_0_choice and (not ((transform_centre_column / 32) = 1));
+      end if;
+      if transform_up_to_last_1_choice then
+        transform_up_to_last_1 <= transform_up_to_last_1_choice_2 and ((not ((transform_centre_column / 32) = 1)) or
+          (not (((transform_centre_column / 16) mod 2) = 1)));
+      else
+        transform_up_to_last_1 <= transform_up_to_last_1_choice_2 and (not ((transform_centre_column / 32) = 1));
+      end if;
+      if transform_filtering_6_inside_0 then
+        transform_left_code_bits <= transform_left_code_earlier_2;
+        transform_right_code_bits <= transform_right_code_earlier_2;
+      else
+        transform_left_code_bits <= 0;
+        transform_right_code_bits <= 0;
+      end if;
+      if transform_filtering_6_inside_1 then
+        transform_left_code_next_bits <= transform_left_code_next_row_signs;
+        transform_right_code_next_bits <= transform_right_code_next_row_signs;
+      else
+        transform_left_code_next_bits <= 0;
+        transform_right_code_next_bits <= 0;
+      end if;
+      if in_start_of_frame then
+        transform_counter_next_frame_choice := transform_counter_group_all;
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
-          (transform_counter_column + 1) mod 64;
-        transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
-          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
-          transform_counter_next_frame_choice;
+        if transform_counter_group_is_equal or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 64;
+        end if;
+        if transform_counter_group_is_equal and transform_counter_group_is_equal_3 then
+          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+            in_start_of_frame;
+        else
+          transform_counter_next_frame <= transform_counter_next_frame_choice;
+        end if;
       end if;
       if (other_15 / 256) = 1 then
         transform_left_rows_write_words_0 <= transform_left_rows_ready_words_1(7 downto 0) &
@@ -1153,29 +1275,54 @@ begin
       raster_place_group_is_equal := raster_place_column = 39;
       raster_place_group_is_equal_2 := raster_place_group = 17;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 9 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 9;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_3 := raster_place_group = 19;
-      raster_place_group_choice_2 := 2 when raster_place_next_frame and raster_place_group_is_equal_3 else
-        (raster_place_group + 1) mod 32;
-      raster_place_group_choice_3 := raster_place_group_choice_2 when (raster_place_group /= 20) and
-        raster_place_group_is_equal and transform_filtering_7_valid else raster_place_group;
-      raster_place_next_frame_choice := (raster_place_column /= 39) and raster_place_next_frame when
-        raster_place_group_is_equal_3 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := transform_filtering_7_valid when raster_place_group_all else
-        transform_filtering_7_valid and (not transform_filtering_7_start_of_frame);
-      raster_place_next_frame_choice_3 := raster_place_next_frame_choice_2 when raster_place_next_frame_choice else
-        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_7_valid and
-        transform_filtering_7_start_of_frame;
+      if raster_place_next_frame and raster_place_group_is_equal_3 then
+        raster_place_group_choice_2 := 2;
+      else
+        raster_place_group_choice_2 := (raster_place_group + 1) mod 32;
+      end if;
+      if (raster_place_group /= 20) and raster_place_group_is_equal and transform_filtering_7_valid then
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      else
+        raster_place_group_choice_3 := raster_place_group;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice := (raster_place_column /= 39) and raster_place_next_frame;
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_all then
+        raster_place_next_frame_choice_2 := transform_filtering_7_valid;
+      else
+        raster_place_next_frame_choice_2 := transform_filtering_7_valid and (not transform_filtering_7_start_of_frame);
+      end if;
+      if raster_place_next_frame_choice then
+        raster_place_next_frame_choice_3 := raster_place_next_frame_choice_2;
+      else
+        raster_place_next_frame_choice_3 := raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          transform_filtering_7_valid and transform_filtering_7_start_of_frame;
+      end if;
       raster_features_search_0 <= (transform_right_code_next_bits * 64) + transform_right_code_bits;
       raster_features_reference_0 <= (transform_left_code_next_bits * 64) + transform_left_code_bits;
       raster_features_valid <= transform_filtering_7_valid;
-      raster_place_group <= raster_place_group_choice * 2 when transform_filtering_7_valid and
-        transform_filtering_7_start_of_frame else raster_place_group_choice_3;
       raster_place_next_frame <= raster_place_next_frame_choice_3 or ((not transform_filtering_7_valid) and
         raster_place_next_frame);
+      if transform_filtering_7_valid and transform_filtering_7_start_of_frame then
+        raster_place_group <= raster_place_group_choice * 2;
+      else
+        raster_place_group <= raster_place_group_choice_3;
+      end if;
       if transform_filtering_7_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_7_start_of_frame else
-          (raster_place_column + 1) mod 64;
+        if raster_place_group_is_equal or transform_filtering_7_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 64;
+        end if;
       end if;
       -- delay
       delay_row_inside_2_is_less := (((((raster_place_group / 2) + 32767) mod 32768) * 2) + (raster_place_group mod 2))
@@ -1226,21 +1373,46 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_0 / 4096 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_words_1 mod 4096 when rows_ready_inside_2 else 0;
-      rows_search_3 <= rows_search_rows_ready_words_1 / 4096 when rows_ready_inside_3 else 0;
-      rows_search_4 <= rows_search_rows_ready_newest_0 when rows_ready_inside_4 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_0 / 4096 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_words_1 mod 4096 when rows_ready_inside_2 else 0;
-      rows_reference_3 <= rows_reference_rows_ready_words_1 / 4096 when rows_ready_inside_3 else 0;
-      rows_reference_4 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_4 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 4096;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_0 / 4096;
+        rows_reference_1 <= rows_reference_rows_ready_words_0 / 4096;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_words_1 mod 4096;
+        rows_reference_2 <= rows_reference_rows_ready_words_1 mod 4096;
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
+      if rows_ready_inside_3 then
+        rows_search_3 <= rows_search_rows_ready_words_1 / 4096;
+        rows_reference_3 <= rows_reference_rows_ready_words_1 / 4096;
+      else
+        rows_search_3 <= 0;
+        rows_reference_3 <= 0;
+      end if;
+      if rows_ready_inside_4 then
+        rows_search_4 <= rows_search_rows_ready_newest_0;
+        rows_reference_4 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_4 <= 0;
+        rows_reference_4 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 4096) + ((rows_search_rows_ready_words_1
           mod 4096) * 4096);
@@ -1859,23 +2031,26 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_0 +
-        slice0cost_pair_0_0 + slice0cost_pair_1_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_1 +
-        slice0cost_pair_0_1 + slice0cost_pair_1_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_2 +
-        slice0cost_pair_0_2 + slice0cost_pair_1_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_3 +
-        slice0cost_pair_0_3 + slice0cost_pair_1_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_4 +
-        slice0cost_pair_0_4 + slice0cost_pair_1_4;
-      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_5 +
-        slice0cost_pair_0_5 + slice0cost_pair_1_5;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+        slice0cost_column_0_5 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_single_0_0 + slice0cost_pair_0_0 + slice0cost_pair_1_0;
+        slice0cost_column_0_1 <= slice0cost_single_0_1 + slice0cost_pair_0_1 + slice0cost_pair_1_1;
+        slice0cost_column_0_2 <= slice0cost_single_0_2 + slice0cost_pair_0_2 + slice0cost_pair_1_2;
+        slice0cost_column_0_3 <= slice0cost_single_0_3 + slice0cost_pair_0_3 + slice0cost_pair_1_3;
+        slice0cost_column_0_4 <= slice0cost_single_0_4 + slice0cost_pair_0_4 + slice0cost_pair_1_4;
+        slice0cost_column_0_5 <= slice0cost_single_0_5 + slice0cost_pair_0_5 + slice0cost_pair_1_5;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -1923,21 +2098,7 @@ begin
       slice0winner1_best_cost_0_0_is_less := (slice0window_sum_0_1 - slice0window_sum_0_0) < 0;
       slice0winner1_best_cost_0_1_is_less := (slice0window_sum_0_3 - slice0window_sum_0_2) < 0;
       slice0winner1_best_cost_0_2_is_less := (slice0window_sum_0_5 - slice0window_sum_0_4) < 0;
-      slice0winner1_best_cost_0_0 <= slice0window_sum_0_1 when slice0winner1_best_cost_0_0_is_less else
-        slice0window_sum_0_0;
-      slice0winner1_best_cost_0_1 <= slice0window_sum_0_3 when slice0winner1_best_cost_0_1_is_less else
-        slice0window_sum_0_2;
-      slice0winner1_best_cost_0_2 <= slice0window_sum_0_5 when slice0winner1_best_cost_0_2_is_less else
-        slice0window_sum_0_4;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_below_0_0 <= slice0window_sum_0_0 when slice0winner1_best_cost_0_0_is_less else 0;
-      slice0winner1_best_below_0_1 <= slice0window_sum_0_2 when slice0winner1_best_cost_0_1_is_less else 0;
-      slice0winner1_best_below_0_2 <= slice0window_sum_0_4 when slice0winner1_best_cost_0_2_is_less else 0;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0window_sum_0_1;
-      slice0winner1_best_above_0_1 <= 0 when slice0winner1_best_cost_0_1_is_less else slice0window_sum_0_3;
-      slice0winner1_best_above_0_2 <= 0 when slice0winner1_best_cost_0_2_is_less else slice0window_sum_0_5;
       slice0winner1_best_first_0_1 <= slice0window_sum_0_2;
       slice0winner1_best_first_0_2 <= slice0window_sum_0_4;
       slice0winner1_best_last_0_0 <= slice0window_sum_0_1;
@@ -1947,23 +2108,52 @@ begin
       slice0winner1_tag_output_column <= slice0window_tag_output_column;
       slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_1;
+        slice0winner1_best_below_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_cost_0_0 <= slice0window_sum_0_0;
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0window_sum_0_1;
+      end if;
+      if slice0winner1_best_cost_0_1_is_less then
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_3;
+        slice0winner1_best_index_0_1 <= 3;
+        slice0winner1_best_below_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_above_0_1 <= 0;
+      else
+        slice0winner1_best_cost_0_1 <= slice0window_sum_0_2;
+        slice0winner1_best_index_0_1 <= 2;
+        slice0winner1_best_below_0_1 <= 0;
+        slice0winner1_best_above_0_1 <= slice0window_sum_0_3;
+      end if;
+      if slice0winner1_best_cost_0_2_is_less then
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_5;
+        slice0winner1_best_index_0_2 <= 5;
+        slice0winner1_best_below_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_above_0_2 <= 0;
+      else
+        slice0winner1_best_cost_0_2 <= slice0window_sum_0_4;
+        slice0winner1_best_index_0_2 <= 4;
+        slice0winner1_best_below_0_2 <= 0;
+        slice0winner1_best_above_0_2 <= slice0window_sum_0_5;
+      end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
-      slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0_0 when slice0winner1_best_index_0_1 = 2 else
-        slice0winner1_best_below_0_1;
-      slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
+      if slice0winner1_best_index_0_1 = 2 then
+        slice0winner2_best_below_0_0_choice := slice0winner1_best_last_0_0;
+      else
+        slice0winner2_best_below_0_0_choice := slice0winner1_best_below_0_1;
+      end if;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_first_0_1;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
       slice0winner2_best_cost_0_1 <= slice0winner1_best_cost_0_2;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
       slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
-      slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_below_0_0;
       slice0winner2_best_below_0_1 <= slice0winner1_best_below_0_2;
-      slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner2_best_above_0_0_choice;
       slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_2;
       slice0winner2_best_first_0_1 <= slice0winner1_best_first_0_2;
       slice0winner2_best_last_0_0 <= slice0winner1_best_last_0_1;
@@ -1972,25 +2162,45 @@ begin
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice;
+        slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      end if;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner2_best_cost_0_1 - slice0winner2_best_cost_0_0) < 0;
-      slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0 when ((slice0winner2_best_index_0_1 / 4) = 1)
-        and (not ((slice0winner2_best_index_0_1 mod 2) = 1)) else slice0winner2_best_below_0_1;
-      slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1 when slice0winner2_best_index_0_0 = 3 else
-        slice0winner2_best_above_0_0;
-      slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_below_0_0;
-      slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner3_best_above_0_0_choice;
+      if ((slice0winner2_best_index_0_1 / 4) = 1) and (not ((slice0winner2_best_index_0_1 mod 2) = 1)) then
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0;
+      else
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_below_0_1;
+      end if;
+      if slice0winner2_best_index_0_0 = 3 then
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1;
+      else
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_above_0_0;
+      end if;
       slice0winner3_best_last_0_0 <= slice0winner2_best_last_0_1;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      if slice0winner3_best_cost_0_0_is_less then
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_1;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+        slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice;
+        slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+        slice0winner3_best_below_0_0 <= slice0winner2_best_below_0_0;
+        slice0winner3_best_above_0_0 <= slice0winner3_best_above_0_0_choice;
+      end if;
       -- slice0
       slice0_best_cost_0_0 <= slice0winner3_best_cost_0_0;
       slice0_best_index_0_0 <= slice0winner3_best_index_0_0;
@@ -2583,18 +2793,21 @@ begin
       slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
       slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
       slice1cost_single_0_5 <= slice1cost_pixels_cost_0_5;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_0 + slice1cost_pair_0_0 +
-        slice1cost_pair_1_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_1 + slice1cost_pair_0_1 +
-        slice1cost_pair_1_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_2 + slice1cost_pair_0_2 +
-        slice1cost_pair_1_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_3 + slice1cost_pair_0_3 +
-        slice1cost_pair_1_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_4 + slice1cost_pair_0_4 +
-        slice1cost_pair_1_4;
-      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_5 + slice1cost_pair_0_5 +
-        slice1cost_pair_1_5;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+        slice1cost_column_0_5 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_single_0_0 + slice1cost_pair_0_0 + slice1cost_pair_1_0;
+        slice1cost_column_0_1 <= slice1cost_single_0_1 + slice1cost_pair_0_1 + slice1cost_pair_1_1;
+        slice1cost_column_0_2 <= slice1cost_single_0_2 + slice1cost_pair_0_2 + slice1cost_pair_1_2;
+        slice1cost_column_0_3 <= slice1cost_single_0_3 + slice1cost_pair_0_3 + slice1cost_pair_1_3;
+        slice1cost_column_0_4 <= slice1cost_single_0_4 + slice1cost_pair_0_4 + slice1cost_pair_1_4;
+        slice1cost_column_0_5 <= slice1cost_single_0_5 + slice1cost_pair_0_5 + slice1cost_pair_1_5;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -2634,79 +2847,124 @@ begin
       slice1winner1_best_cost_0_0_is_less := (slice1window_sum_0_1 - slice1window_sum_0_0) < 0;
       slice1winner1_best_cost_0_1_is_less := (slice1window_sum_0_3 - slice1window_sum_0_2) < 0;
       slice1winner1_best_cost_0_2_is_less := (slice1window_sum_0_5 - slice1window_sum_0_4) < 0;
-      slice1winner1_best_cost_0_0 <= slice1window_sum_0_1 when slice1winner1_best_cost_0_0_is_less else
-        slice1window_sum_0_0;
-      slice1winner1_best_cost_0_1 <= slice1window_sum_0_3 when slice1winner1_best_cost_0_1_is_less else
-        slice1window_sum_0_2;
-      slice1winner1_best_cost_0_2 <= slice1window_sum_0_5 when slice1winner1_best_cost_0_2_is_less else
-        slice1window_sum_0_4;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1winner1_best_cost_0_2_is_less else 4;
-      slice1winner1_best_below_0_0 <= slice1window_sum_0_0 when slice1winner1_best_cost_0_0_is_less else 0;
-      slice1winner1_best_below_0_1 <= slice1window_sum_0_2 when slice1winner1_best_cost_0_1_is_less else 0;
-      slice1winner1_best_below_0_2 <= slice1window_sum_0_4 when slice1winner1_best_cost_0_2_is_less else 0;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1window_sum_0_1;
-      slice1winner1_best_above_0_1 <= 0 when slice1winner1_best_cost_0_1_is_less else slice1window_sum_0_3;
-      slice1winner1_best_above_0_2 <= 0 when slice1winner1_best_cost_0_2_is_less else slice1window_sum_0_5;
       slice1winner1_best_first_0_0 <= slice1window_sum_0_0;
       slice1winner1_best_first_0_1 <= slice1window_sum_0_2;
       slice1winner1_best_first_0_2 <= slice1window_sum_0_4;
       slice1winner1_best_last_0_0 <= slice1window_sum_0_1;
       slice1winner1_best_last_0_1 <= slice1window_sum_0_3;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_1;
+        slice1winner1_best_below_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_cost_0_0 <= slice1window_sum_0_0;
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1window_sum_0_1;
+      end if;
+      if slice1winner1_best_cost_0_1_is_less then
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_3;
+        slice1winner1_best_index_0_1 <= 3;
+        slice1winner1_best_below_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_above_0_1 <= 0;
+      else
+        slice1winner1_best_cost_0_1 <= slice1window_sum_0_2;
+        slice1winner1_best_index_0_1 <= 2;
+        slice1winner1_best_below_0_1 <= 0;
+        slice1winner1_best_above_0_1 <= slice1window_sum_0_3;
+      end if;
+      if slice1winner1_best_cost_0_2_is_less then
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_5;
+        slice1winner1_best_index_0_2 <= 5;
+        slice1winner1_best_below_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_above_0_2 <= 0;
+      else
+        slice1winner1_best_cost_0_2 <= slice1window_sum_0_4;
+        slice1winner1_best_index_0_2 <= 4;
+        slice1winner1_best_below_0_2 <= 0;
+        slice1winner1_best_above_0_2 <= slice1window_sum_0_5;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
-      slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0 when slice1winner1_best_index_0_1 = 2 else
-        slice1winner1_best_below_0_1;
-      slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
+      if slice1winner1_best_index_0_1 = 2 then
+        slice1winner2_best_below_0_0_choice := slice1winner1_best_last_0_0;
+      else
+        slice1winner2_best_below_0_0_choice := slice1winner1_best_below_0_1;
+      end if;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_first_0_1;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
       slice1winner2_best_cost_0_1 <= slice1winner1_best_cost_0_2;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
       slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
-      slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_below_0_0;
       slice1winner2_best_below_0_1 <= slice1winner1_best_below_0_2;
-      slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner2_best_above_0_0_choice;
       slice1winner2_best_above_0_1 <= slice1winner1_best_above_0_2;
       slice1winner2_best_first_0_0 <= slice1winner1_best_first_0_0;
       slice1winner2_best_first_0_1 <= slice1winner1_best_first_0_2;
       slice1winner2_best_last_0_0 <= slice1winner1_best_last_0_1;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice;
+        slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      end if;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner2_best_cost_0_1 - slice1winner2_best_cost_0_0) < 0;
-      slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0 when ((slice1winner2_best_index_0_1 / 4) = 1)
-        and (not ((slice1winner2_best_index_0_1 mod 2) = 1)) else slice1winner2_best_below_0_1;
-      slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1 when slice1winner2_best_index_0_0 = 3 else
-        slice1winner2_best_above_0_0;
-      slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
-      slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_below_0_0;
-      slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner3_best_above_0_0_choice;
+      if ((slice1winner2_best_index_0_1 / 4) = 1) and (not ((slice1winner2_best_index_0_1 mod 2) = 1)) then
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0;
+      else
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_below_0_1;
+      end if;
+      if slice1winner2_best_index_0_0 = 3 then
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_first_0_1;
+      else
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_above_0_0;
+      end if;
       slice1winner3_best_first_0_0 <= slice1winner2_best_first_0_0;
+      if slice1winner3_best_cost_0_0_is_less then
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_1;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
+        slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice;
+        slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1;
+      else
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
+        slice1winner3_best_below_0_0 <= slice1winner2_best_below_0_0;
+        slice1winner3_best_above_0_0 <= slice1winner3_best_above_0_0_choice;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice1winner3_best_cost_0_0 - slice0_best_cost_0_0) < 0;
-      slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1winner3_best_index_0_0 = 0 else
-        slice1winner3_best_below_0_0;
-      slice1_best_above_0_0_choice := slice1winner3_best_first_0_0 when slice0_best_index_0_0 = 5 else
-        slice0_best_above_0_0;
-      slice1_best_cost_0_0 <= slice1winner3_best_cost_0_0 when slice1_best_cost_0_0_is_less else slice0_best_cost_0_0;
-      slice1_best_index_0_0 <= (((slice1winner3_best_index_0_0 / 2) + 3) * 2) + (slice1winner3_best_index_0_0 mod 2)
-        when slice1_best_cost_0_0_is_less else slice0_best_index_0_0;
-      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
-        slice0_best_below_0_0;
-      slice1_best_above_0_0 <= slice1winner3_best_above_0_0 when slice1_best_cost_0_0_is_less else
-        slice1_best_above_0_0_choice;
+      if slice1winner3_best_index_0_0 = 0 then
+        slice1_best_below_0_0_choice := slice0_best_last_0_0;
+      else
+        slice1_best_below_0_0_choice := slice1winner3_best_below_0_0;
+      end if;
+      if slice0_best_index_0_0 = 5 then
+        slice1_best_above_0_0_choice := slice1winner3_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice0_best_above_0_0;
+      end if;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+        slice1_best_index_0_0 <= (((slice1winner3_best_index_0_0 / 2) + 3) * 2) + (slice1winner3_best_index_0_0 mod 2);
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice1winner3_best_above_0_0;
+      else
+        slice1_best_cost_0_0 <= slice0_best_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice0_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      end if;
       -- refinement
       refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 1024) - refinement_divisor_0_0;
       refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 1024) - refinement_divisor_1_0;
@@ -2716,7 +2974,11 @@ begin
       refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 1024) - refinement_divisor_5_0;
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 1024) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -2802,26 +3064,10 @@ begin
       refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
       refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
       refinement_cost_0 <= slice1_best_cost_0_0;
-      refinement_below_0 <= slice1_best_above_0_0 when slice1_best_index_0_0 = 0 else slice1_best_below_0_0;
-      refinement_above_0 <= slice1_best_below_0_0 when slice1_best_index_0_0 = 11 else slice1_best_above_0_0;
       refinement_u_0 <= (refinement_below_0 - refinement_cost_0) mod 512;
       refinement_v_0 <= (refinement_above_0 - refinement_cost_0) mod 512;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 512 when (refinement_remainder_1_0_difference
-        / 1024) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 512 when (refinement_remainder_2_0_difference
-        / 1024) = 1 else (refinement_remainder_1_0 mod 256) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 512 when (refinement_remainder_3_0_difference
-        / 1024) = 1 else (refinement_remainder_2_0 mod 256) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 512 when (refinement_remainder_4_0_difference
-        / 1024) = 1 else (refinement_remainder_3_0 mod 256) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 512 when (refinement_remainder_5_0_difference
-        / 1024) = 1 else (refinement_remainder_4_0 mod 256) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 512 when (refinement_remainder_6_0_difference
-        / 1024) = 1 else (refinement_remainder_5_0 mod 256) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 512 when (refinement_remainder_7_0_difference
-        / 1024) = 1 else (refinement_remainder_6_0 mod 256) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 9)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 9))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
@@ -2843,6 +3089,51 @@ begin
       refinement_negative_7_0 <= refinement_negative_6_0;
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 32) * 8) + refinement_fraction_0_choice_2;
+      if slice1_best_index_0_0 = 0 then
+        refinement_below_0 <= slice1_best_above_0_0;
+      else
+        refinement_below_0 <= slice1_best_below_0_0;
+      end if;
+      if slice1_best_index_0_0 = 11 then
+        refinement_above_0 <= slice1_best_below_0_0;
+      else
+        refinement_above_0 <= slice1_best_above_0_0;
+      end if;
+      if (refinement_remainder_1_0_difference / 1024) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 512;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_2_0_difference / 1024) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 512;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 1024) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 512;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 1024) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 512;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 1024) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 512;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 1024) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 512;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 1024) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 512;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 256) * 2;
+      end if;
       -- map
       map_out_disparity_0 <= (((((refinement_disparity_11_0 + (refinement_fraction_0 / 16)) * 2) +
         ((refinement_fraction_0 mod 16) / 8) + 8191) mod 8192) * 8) + (refinement_fraction_0 mod 8);

@@ -628,221 +628,353 @@ architecture rtl of stereo_core_tiny_phase_size_all is
   signal other_17, other_18, other_19, other_20, other_21, other_22, other_23, other_24, other_25, other_26 : boolean;
   signal other_27 : boolean;
   signal other_28, other_32 : natural range 0 to 65534;
+  signal map_rows_read_words_0_memory_read_enable : boolean;
+  signal map_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal map_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(25 downto 0);
+  signal leftright_found_0_memory_read_enable : boolean;
+  signal leftright_found_0_memory_read_address : unsigned(3 downto 0);
+  signal leftright_found_0_memory_write_address : unsigned(3 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_read_enable : boolean;
+  signal leftright_held_0_memory_read_address : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_address : unsigned(3 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
+  signal slice1window_leaving_1_memory_read_enable : boolean;
+  signal slice1window_leaving_1_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_1_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_1_memory_write_data : unsigned(13 downto 0);
+  signal slice1window_leaving_0_memory_read_enable : boolean;
+  signal slice1window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice1window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice1window_leaving_0_memory_write_data : unsigned(27 downto 0);
+  signal slice1cost_read_words_1_memory_read_enable : boolean;
+  signal slice1cost_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal slice1cost_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal slice1cost_read_words_1_memory_write_data : unsigned(13 downto 0);
+  signal slice1cost_read_words_0_memory_read_enable : boolean;
+  signal slice1cost_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal slice1cost_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal slice1cost_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal slice0window_leaving_1_memory_read_enable : boolean;
+  signal slice0window_leaving_1_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_1_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_1_memory_write_data : unsigned(13 downto 0);
+  signal slice0window_leaving_0_memory_read_enable : boolean;
+  signal slice0window_leaving_0_memory_read_address : unsigned(2 downto 0);
+  signal slice0window_leaving_0_memory_write_address : unsigned(2 downto 0);
   signal slice0window_leaving_0_memory_write_data : unsigned(27 downto 0);
+  signal slice0cost_read_words_1_memory_read_enable : boolean;
+  signal slice0cost_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal slice0cost_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal slice0cost_read_words_1_memory_write_data : unsigned(13 downto 0);
+  signal slice0cost_read_words_0_memory_read_enable : boolean;
+  signal slice0cost_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal slice0cost_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal slice0cost_read_words_0_memory_write_data : unsigned(27 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(1 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(1 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(11 downto 0);
+  signal transform_left_rows_read_words_2_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_2_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_2_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal transform_left_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_2_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_2_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_2_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_2_memory_write_data : unsigned(7 downto 0);
+  signal transform_right_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_image_height <= to_integer(unsigned(image_height));
-  in_image_width <= to_integer(unsigned(image_width));
-  in_last_disparity <= to_integer(unsigned(last_disparity));
-  in_first_disparity <= to_integer(unsigned(first_disparity));
-  in_left_right_threshold <= to_integer(unsigned(left_right_threshold));
-  in_uniqueness_percent <= to_integer(unsigned(uniqueness_percent));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_image_height <= to_integer(unsigned(to_stdlogicvector(to_bitvector(image_height))));
+  in_image_width <= to_integer(unsigned(to_stdlogicvector(to_bitvector(image_width))));
+  in_last_disparity <= to_integer(unsigned(to_stdlogicvector(to_bitvector(last_disparity))));
+  in_first_disparity <= to_integer(unsigned(to_stdlogicvector(to_bitvector(first_disparity))));
+  in_left_right_threshold <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_right_threshold))));
+  in_uniqueness_percent <= to_integer(unsigned(to_stdlogicvector(to_bitvector(uniqueness_percent))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  map_rows_read_words_0_memory_read_enable <= true;
+  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 6);
+  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 6);
   map_rows_read_words_0_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 37, width => 26)
+    generic map (depth => 37, width => 26, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
+      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
+      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
 
+  leftright_found_0_memory_read_enable <= true;
+  leftright_found_0_memory_read_address <= to_unsigned(leftright_address_0, 4);
+  leftright_found_0_memory_write_address <= to_unsigned(leftright_position, 4);
   leftright_found_0_memory_write_data <= to_unsigned(leftright_other_14_0, 4);
   leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 4)
+    generic map (depth => 16, width => 4, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+      clock => clock, read_enable => leftright_found_0_memory_read_enable,
+      read_address => leftright_found_0_memory_read_address, read_data => leftright_found_0,
+      write_address => leftright_found_0_memory_write_address, write_data => leftright_found_0_memory_write_data);
 
+  leftright_held_0_memory_read_enable <= true;
+  leftright_held_0_memory_read_address <= to_unsigned(leftright_ring_read_address, 4);
+  leftright_held_0_memory_write_address <= to_unsigned(leftright_ring_write_address, 4);
   leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
   leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 18)
+    generic map (depth => 12, width => 18, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+      clock => clock, read_enable => leftright_held_0_memory_read_enable,
+      read_address => leftright_held_0_memory_read_address, read_data => leftright_held_0,
+      write_address => leftright_held_0_memory_write_address, write_data => leftright_held_0_memory_write_data);
 
+  slice1window_leaving_1_memory_read_enable <= true;
+  slice1window_leaving_1_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_1_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_1_memory_write_data <= to_unsigned(slice1cost_column_0_5, 7) & to_unsigned(slice1cost_column_0_4, 7);
   slice1window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 5, width => 14)
+    generic map (depth => 5, width => 14, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_1,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_1_memory_read_enable,
+      read_address => slice1window_leaving_1_memory_read_address, read_data => slice1window_leaving_1,
+      write_address => slice1window_leaving_1_memory_write_address, write_data => slice1window_leaving_1_memory_write_data);
 
+  slice1window_leaving_0_memory_read_enable <= true;
+  slice1window_leaving_0_memory_read_address <= to_unsigned(slice1window_ring_read_address, 3);
+  slice1window_leaving_0_memory_write_address <= to_unsigned(slice1window_ring_write_address, 3);
   slice1window_leaving_0_memory_write_data <= to_unsigned(slice1cost_column_0_3, 7) & to_unsigned(slice1cost_column_0_2, 7) & to_unsigned(slice1cost_column_0_1, 7) & to_unsigned(slice1cost_column_0_0, 7);
   slice1window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 5, width => 28)
+    generic map (depth => 5, width => 28, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice1window_ring_read_address, read_data => slice1window_leaving_0,
-      write_address => slice1window_ring_write_address, write_data => slice1window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice1window_leaving_0_memory_read_enable,
+      read_address => slice1window_leaving_0_memory_read_address, read_data => slice1window_leaving_0,
+      write_address => slice1window_leaving_0_memory_write_address, write_data => slice1window_leaving_0_memory_write_data);
 
+  slice1cost_read_words_1_memory_read_enable <= true;
+  slice1cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_change_column, 6);
+  slice1cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_write_column, 6);
   slice1cost_read_words_1_memory_write_data <= to_unsigned(slice1cost_write_words_1, 14);
   slice1cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 14)
+    generic map (depth => 40, width => 14, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_1,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_1_memory_read_enable,
+      read_address => slice1cost_read_words_1_memory_read_address, read_data => slice1cost_read_words_1,
+      write_address => slice1cost_read_words_1_memory_write_address, write_data => slice1cost_read_words_1_memory_write_data);
 
+  slice1cost_read_words_0_memory_read_enable <= true;
+  slice1cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_change_column, 6);
+  slice1cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_write_column, 6);
   slice1cost_read_words_0_memory_write_data <= to_unsigned(slice1cost_write_words_0, 28);
   slice1cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 28)
+    generic map (depth => 40, width => 28, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_change_column, read_data => slice1cost_read_words_0,
-      write_address => slice1cost_write_column, write_data => slice1cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice1cost_read_words_0_memory_read_enable,
+      read_address => slice1cost_read_words_0_memory_read_address, read_data => slice1cost_read_words_0,
+      write_address => slice1cost_read_words_0_memory_write_address, write_data => slice1cost_read_words_0_memory_write_data);
 
+  slice0window_leaving_1_memory_read_enable <= true;
+  slice0window_leaving_1_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_1_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_1_memory_write_data <= to_unsigned(slice0cost_column_0_5, 7) & to_unsigned(slice0cost_column_0_4, 7);
   slice0window_leaving_1_memory : entity work.line_memory
-    generic map (depth => 5, width => 14)
+    generic map (depth => 5, width => 14, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_1,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_1_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_1_memory_read_enable,
+      read_address => slice0window_leaving_1_memory_read_address, read_data => slice0window_leaving_1,
+      write_address => slice0window_leaving_1_memory_write_address, write_data => slice0window_leaving_1_memory_write_data);
 
+  slice0window_leaving_0_memory_read_enable <= true;
+  slice0window_leaving_0_memory_read_address <= to_unsigned(slice0window_ring_read_address, 3);
+  slice0window_leaving_0_memory_write_address <= to_unsigned(slice0window_ring_write_address, 3);
   slice0window_leaving_0_memory_write_data <= to_unsigned(slice0cost_column_0_3, 7) & to_unsigned(slice0cost_column_0_2, 7) & to_unsigned(slice0cost_column_0_1, 7) & to_unsigned(slice0cost_column_0_0, 7);
   slice0window_leaving_0_memory : entity work.line_memory
-    generic map (depth => 5, width => 28)
+    generic map (depth => 5, width => 28, address_bits => 3)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0window_ring_read_address, read_data => slice0window_leaving_0,
-      write_address => slice0window_ring_write_address, write_data => slice0window_leaving_0_memory_write_data);
+      clock => clock, read_enable => slice0window_leaving_0_memory_read_enable,
+      read_address => slice0window_leaving_0_memory_read_address, read_data => slice0window_leaving_0,
+      write_address => slice0window_leaving_0_memory_write_address, write_data => slice0window_leaving_0_memory_write_data);
 
+  slice0cost_read_words_1_memory_read_enable <= true;
+  slice0cost_read_words_1_memory_read_address <= to_unsigned(slice0cost_read_column, 6);
+  slice0cost_read_words_1_memory_write_address <= to_unsigned(slice1cost_ready_column, 6);
   slice0cost_read_words_1_memory_write_data <= to_unsigned(slice0cost_write_words_1, 14);
   slice0cost_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 14)
+    generic map (depth => 40, width => 14, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_1,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_1_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_1_memory_read_enable,
+      read_address => slice0cost_read_words_1_memory_read_address, read_data => slice0cost_read_words_1,
+      write_address => slice0cost_read_words_1_memory_write_address, write_data => slice0cost_read_words_1_memory_write_data);
 
+  slice0cost_read_words_0_memory_read_enable <= true;
+  slice0cost_read_words_0_memory_read_address <= to_unsigned(slice0cost_read_column, 6);
+  slice0cost_read_words_0_memory_write_address <= to_unsigned(slice1cost_ready_column, 6);
   slice0cost_read_words_0_memory_write_data <= to_unsigned(slice0cost_write_words_0, 28);
   slice0cost_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 28)
+    generic map (depth => 40, width => 28, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => slice0cost_read_column, read_data => slice0cost_read_words_0,
-      write_address => slice1cost_ready_column, write_data => slice0cost_read_words_0_memory_write_data);
+      clock => clock, read_enable => slice0cost_read_words_0_memory_read_enable,
+      read_address => slice0cost_read_words_0_memory_read_address, read_data => slice0cost_read_words_0,
+      write_address => slice0cost_read_words_0_memory_write_address, write_data => slice0cost_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 2);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 2);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_search_0, 12);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 3, width => 12)
+    generic map (depth => 3, width => 12, address_bits => 2)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
+  transform_left_rows_read_words_2_memory_read_enable <= true;
+  transform_left_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_2_memory_write_data <= to_unsigned(transform_left_rows_write_words_2, 8);
   transform_left_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 40, width => 8)
+    generic map (depth => 40, width => 8, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_2,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_2_memory_read_enable,
+      read_address => transform_left_rows_read_words_2_memory_read_address, read_data => transform_left_rows_read_words_2,
+      write_address => transform_left_rows_read_words_2_memory_write_address, write_data => transform_left_rows_read_words_2_memory_write_data);
 
+  transform_left_rows_read_words_1_memory_read_enable <= true;
+  transform_left_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_1_memory_write_data <= transform_left_rows_write_words_1;
   transform_left_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_1_memory_read_enable,
+      read_address => transform_left_rows_read_words_1_memory_read_address, read_data => transform_left_rows_read_words_1,
+      write_address => transform_left_rows_read_words_1_memory_write_address, write_data => transform_left_rows_read_words_1_memory_write_data);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_2_memory_read_enable <= true;
+  transform_right_rows_read_words_2_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_2_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_2_memory_write_data <= to_unsigned(transform_right_rows_write_words_2, 8);
   transform_right_rows_read_words_2_memory : entity work.line_memory
-    generic map (depth => 40, width => 8)
+    generic map (depth => 40, width => 8, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_2,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_2_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_2_memory_read_enable,
+      read_address => transform_right_rows_read_words_2_memory_read_address, read_data => transform_right_rows_read_words_2,
+      write_address => transform_right_rows_read_words_2_memory_write_address, write_data => transform_right_rows_read_words_2_memory_write_data);
 
+  transform_right_rows_read_words_1_memory_read_enable <= true;
+  transform_right_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_1_memory_write_data <= transform_right_rows_write_words_1;
   transform_right_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_1_memory_read_enable,
+      read_address => transform_right_rows_read_words_1_memory_read_address, read_data => transform_right_rows_read_words_1,
+      write_address => transform_right_rows_read_words_1_memory_write_address, write_data => transform_right_rows_read_words_1_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable settings_uniqueness_percent_any, transform_counter_group_value, transform_counter_group_choice : boolean;
@@ -1088,46 +1220,82 @@ begin
       size_map_columns_to <= (in_image_width + 61) mod 64;
       -- transform
       transform_counter_group_value := ((transform_counter_group / 8) mod 2) = 1;
-      transform_counter_group_choice := (size_windows_last_group / 8) = 3 when transform_counter_group_value else
-        (size_windows_last_group / 8) = 2;
-      transform_counter_group_choice_2 := (size_windows_last_group / 8) = 1 when transform_counter_group_value else
-        (size_windows_last_group / 8) = 0;
-      transform_counter_group_choice_3 := transform_counter_group_choice when (transform_counter_group / 16) = 1 else
-        transform_counter_group_choice_2;
+      if transform_counter_group_value then
+        transform_counter_group_choice := (size_windows_last_group / 8) = 3;
+      else
+        transform_counter_group_choice := (size_windows_last_group / 8) = 2;
+      end if;
+      if transform_counter_group_value then
+        transform_counter_group_choice_2 := (size_windows_last_group / 8) = 1;
+      else
+        transform_counter_group_choice_2 := (size_windows_last_group / 8) = 0;
+      end if;
+      if (transform_counter_group / 16) = 1 then
+        transform_counter_group_choice_3 := transform_counter_group_choice;
+      else
+        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+      end if;
       transform_counter_group_value_2 := ((transform_counter_group / 2) mod 2) = 1;
-      transform_counter_group_choice_4 := (size_windows_last_group mod 4) = 3 when transform_counter_group_value_2 else
-        (size_windows_last_group mod 4) = 1;
-      transform_counter_group_choice_5 := (size_windows_last_group mod 4) = 2 when transform_counter_group_value_2 else
-        (size_windows_last_group mod 4) = 0;
-      transform_counter_group_choice_6 := transform_counter_group_choice_4 when (transform_counter_group mod 2) = 1
-        else transform_counter_group_choice_5;
+      if transform_counter_group_value_2 then
+        transform_counter_group_choice_4 := (size_windows_last_group mod 4) = 3;
+      else
+        transform_counter_group_choice_4 := (size_windows_last_group mod 4) = 1;
+      end if;
+      if transform_counter_group_value_2 then
+        transform_counter_group_choice_5 := (size_windows_last_group mod 4) = 2;
+      else
+        transform_counter_group_choice_5 := (size_windows_last_group mod 4) = 0;
+      end if;
+      if (transform_counter_group mod 2) = 1 then
+        transform_counter_group_choice_6 := transform_counter_group_choice_4;
+      else
+        transform_counter_group_choice_6 := transform_counter_group_choice_5;
+      end if;
       transform_counter_group_value_3 := ((transform_counter_group / 4) mod 2) = 1;
       transform_counter_group_value_4 := ((size_windows_last_group / 4) mod 2) = 1;
       transform_counter_group_differs := transform_counter_group_value_3 /= (not transform_counter_group_value_4);
       transform_counter_group_value_5 := ((transform_counter_column / 16) mod 2) = 1;
       transform_counter_group_is_equal := (size_windows_last_column / 16) = 3;
       transform_counter_group_is_equal_2 := (size_windows_last_column / 16) = 2;
-      transform_counter_group_choice_7 := transform_counter_group_is_equal when transform_counter_group_value_5 else
-        transform_counter_group_is_equal_2;
+      if transform_counter_group_value_5 then
+        transform_counter_group_choice_7 := transform_counter_group_is_equal;
+      else
+        transform_counter_group_choice_7 := transform_counter_group_is_equal_2;
+      end if;
       transform_counter_group_is_equal_3 := (size_windows_last_column / 16) = 1;
       transform_counter_group_is_equal_4 := (size_windows_last_column / 16) = 0;
-      transform_counter_group_choice_8 := transform_counter_group_is_equal_3 when transform_counter_group_value_5 else
-        transform_counter_group_is_equal_4;
-      transform_counter_group_choice_9 := transform_counter_group_choice_7 when (transform_counter_column / 32) = 1
-        else transform_counter_group_choice_8;
+      if transform_counter_group_value_5 then
+        transform_counter_group_choice_8 := transform_counter_group_is_equal_3;
+      else
+        transform_counter_group_choice_8 := transform_counter_group_is_equal_4;
+      end if;
+      if (transform_counter_column / 32) = 1 then
+        transform_counter_group_choice_9 := transform_counter_group_choice_7;
+      else
+        transform_counter_group_choice_9 := transform_counter_group_choice_8;
+      end if;
       transform_counter_group_value_6 := ((transform_counter_column / 4) mod 2) = 1;
       transform_counter_group_value_7 := ((transform_counter_column / 2) mod 2) = 1;
       transform_counter_group_value_8 := (size_windows_last_column / 2) mod 4;
       transform_counter_group_is_equal_5 := transform_counter_group_value_8 = 3;
       transform_counter_group_is_equal_6 := transform_counter_group_value_8 = 2;
-      transform_counter_group_choice_10 := transform_counter_group_is_equal_5 when transform_counter_group_value_7 else
-        transform_counter_group_is_equal_6;
+      if transform_counter_group_value_7 then
+        transform_counter_group_choice_10 := transform_counter_group_is_equal_5;
+      else
+        transform_counter_group_choice_10 := transform_counter_group_is_equal_6;
+      end if;
       transform_counter_group_is_equal_7 := transform_counter_group_value_8 = 1;
       transform_counter_group_is_equal_8 := transform_counter_group_value_8 = 0;
-      transform_counter_group_choice_11 := transform_counter_group_is_equal_7 when transform_counter_group_value_7 else
-        transform_counter_group_is_equal_8;
-      transform_counter_group_choice_12 := transform_counter_group_choice_10 when transform_counter_group_value_6 else
-        transform_counter_group_choice_11;
+      if transform_counter_group_value_7 then
+        transform_counter_group_choice_11 := transform_counter_group_is_equal_7;
+      else
+        transform_counter_group_choice_11 := transform_counter_group_is_equal_8;
+      end if;
+      if transform_counter_group_value_6 then
+        transform_counter_group_choice_12 := transform_counter_group_choice_10;
+      else
+        transform_counter_group_choice_12 := transform_counter_group_choice_11;
+      end if;
       transform_counter_group_differs_2 := ((transform_counter_column mod 2) = 1) /= (not ((size_windows_last_column
         mod 2) = 1));
       transform_counter_group_value_9 := ((transform_counter_column / 8) mod 2) = 1;
@@ -1136,97 +1304,187 @@ begin
       transform_counter_group_all := transform_counter_group_choice_3 and transform_counter_group_choice_6 and
         transform_counter_group_differs and transform_counter_group_choice_9 and transform_counter_group_choice_12 and
         transform_counter_group_differs_2 and transform_counter_group_differs_3;
-      transform_counter_group_choice_13 := size_windows_groups when transform_counter_group_all else 0;
-      transform_counter_group_choice_14 := (not ((transform_counter_group mod 2) = 1)) or (not
-        transform_counter_group_value_2) when (size_transform_idle mod 2) = 1 else not transform_counter_group_value_2;
+      if transform_counter_group_all then
+        transform_counter_group_choice_13 := size_windows_groups;
+      else
+        transform_counter_group_choice_13 := 0;
+      end if;
+      if (size_transform_idle mod 2) = 1 then
+        transform_counter_group_choice_14 := (not ((transform_counter_group mod 2) = 1)) or (not
+          transform_counter_group_value_2);
+      else
+        transform_counter_group_choice_14 := not transform_counter_group_value_2;
+      end if;
       transform_counter_group_is_equal_9 := (transform_counter_group mod 4) = 0;
-      transform_counter_group_choice_15 := transform_counter_group_choice_14 when ((size_transform_idle / 2) mod 2) = 1
-        else ((size_transform_idle mod 2) = 1) and transform_counter_group_is_equal_9;
-      transform_counter_group_choice_16 := (not (((size_transform_idle / 4) mod 2) = 1)) and
-        transform_counter_group_value_3 when transform_counter_group_choice_15 else (not (((size_transform_idle / 4)
-        mod 2) = 1)) or transform_counter_group_value_3;
-      transform_counter_group_choice_17 := (not (((size_transform_idle / 8) mod 2) = 1)) or
-        transform_counter_group_value when transform_counter_group_choice_16 else (not (((size_transform_idle / 8) mod
-        2) = 1)) and transform_counter_group_value;
-      transform_counter_group_choice_18 := transform_counter_group_choice_9 and transform_counter_group_choice_12 and
-        transform_counter_group_differs_2 and transform_counter_group_differs_3 and ((size_transform_idle / 16) = 1)
-        and (not ((transform_counter_group / 16) = 1)) when transform_counter_group_choice_17 else
-        transform_counter_group_choice_9 and transform_counter_group_choice_12 and transform_counter_group_differs_2
-        and transform_counter_group_differs_3 and (((size_transform_idle / 16) = 1) or (not ((transform_counter_group /
-        16) = 1)));
+      if ((size_transform_idle / 2) mod 2) = 1 then
+        transform_counter_group_choice_15 := transform_counter_group_choice_14;
+      else
+        transform_counter_group_choice_15 := ((size_transform_idle mod 2) = 1) and transform_counter_group_is_equal_9;
+      end if;
+      if transform_counter_group_choice_15 then
+        transform_counter_group_choice_16 := (not (((size_transform_idle / 4) mod 2) = 1)) and
+          transform_counter_group_value_3;
+      else
+        transform_counter_group_choice_16 := (not (((size_transform_idle / 4) mod 2) = 1)) or
+          transform_counter_group_value_3;
+      end if;
+      if transform_counter_group_choice_16 then
+        transform_counter_group_choice_17 := (not (((size_transform_idle / 8) mod 2) = 1)) or
+          transform_counter_group_value;
+      else
+        transform_counter_group_choice_17 := (not (((size_transform_idle / 8) mod 2) = 1)) and
+          transform_counter_group_value;
+      end if;
+      if transform_counter_group_choice_17 then
+        transform_counter_group_choice_18 := transform_counter_group_choice_9 and transform_counter_group_choice_12 and
+          transform_counter_group_differs_2 and transform_counter_group_differs_3 and ((size_transform_idle / 16) = 1)
+          and (not ((transform_counter_group / 16) = 1));
+      else
+        transform_counter_group_choice_18 := transform_counter_group_choice_9 and transform_counter_group_choice_12 and
+          transform_counter_group_differs_2 and transform_counter_group_differs_3 and (((size_transform_idle / 16) = 1)
+          or (not ((transform_counter_group / 16) = 1)));
+      end if;
       transform_counter_group_value_11 := ((size_transform_last_counted / 8) mod 2) = 1;
-      transform_counter_group_choice_19 := (transform_counter_group / 8) = 3 when transform_counter_group_value_11 else
-        (transform_counter_group / 8) = 2;
-      transform_counter_group_choice_20 := (transform_counter_group / 8) = 1 when transform_counter_group_value_11 else
-        (transform_counter_group / 8) = 0;
-      transform_counter_group_choice_21 := transform_counter_group_choice_19 when (size_transform_last_counted / 16) =
-        1 else transform_counter_group_choice_20;
-      transform_counter_group_choice_22 := (transform_counter_group mod 4) = 3 when (size_transform_last_counted mod 2)
-        = 1 else (transform_counter_group mod 4) = 2;
-      transform_counter_group_choice_23 := (transform_counter_group mod 4) = 1 when (size_transform_last_counted mod 2)
-        = 1 else transform_counter_group_is_equal_9;
-      transform_counter_group_choice_24 := transform_counter_group_choice_22 when ((size_transform_last_counted / 2)
-        mod 2) = 1 else transform_counter_group_choice_23;
+      if transform_counter_group_value_11 then
+        transform_counter_group_choice_19 := (transform_counter_group / 8) = 3;
+      else
+        transform_counter_group_choice_19 := (transform_counter_group / 8) = 2;
+      end if;
+      if transform_counter_group_value_11 then
+        transform_counter_group_choice_20 := (transform_counter_group / 8) = 1;
+      else
+        transform_counter_group_choice_20 := (transform_counter_group / 8) = 0;
+      end if;
+      if (size_transform_last_counted / 16) = 1 then
+        transform_counter_group_choice_21 := transform_counter_group_choice_19;
+      else
+        transform_counter_group_choice_21 := transform_counter_group_choice_20;
+      end if;
+      if (size_transform_last_counted mod 2) = 1 then
+        transform_counter_group_choice_22 := (transform_counter_group mod 4) = 3;
+      else
+        transform_counter_group_choice_22 := (transform_counter_group mod 4) = 2;
+      end if;
+      if (size_transform_last_counted mod 2) = 1 then
+        transform_counter_group_choice_23 := (transform_counter_group mod 4) = 1;
+      else
+        transform_counter_group_choice_23 := transform_counter_group_is_equal_9;
+      end if;
+      if ((size_transform_last_counted / 2) mod 2) = 1 then
+        transform_counter_group_choice_24 := transform_counter_group_choice_22;
+      else
+        transform_counter_group_choice_24 := transform_counter_group_choice_23;
+      end if;
       transform_counter_group_differs_4 := (((size_transform_last_counted / 4) mod 2) = 1) /= (not
         transform_counter_group_value_3);
-      transform_counter_group_choice_25 := 4 when transform_counter_group_choice_21 and
-        transform_counter_group_choice_24 and transform_counter_group_differs_4 and transform_counter_next_frame else
-        (transform_counter_group + 1) mod 32;
-      transform_counter_group_choice_26 := transform_counter_group_choice_25 when transform_counter_group_choice_18 and
-        in_valid else transform_counter_group;
+      if transform_counter_group_choice_21 and transform_counter_group_choice_24 and transform_counter_group_differs_4
+        and transform_counter_next_frame then
+        transform_counter_group_choice_25 := 4;
+      else
+        transform_counter_group_choice_25 := (transform_counter_group + 1) mod 32;
+      end if;
+      if transform_counter_group_choice_18 and in_valid then
+        transform_counter_group_choice_26 := transform_counter_group_choice_25;
+      else
+        transform_counter_group_choice_26 := transform_counter_group;
+      end if;
       transform_centre_column_any := (not ((not transform_counter_group_value_9) and ((not
         transform_counter_group_value_6) or ((transform_counter_column mod 4) = 0)))) or ((transform_counter_column /
         32) = 1) or transform_counter_group_value_5;
-      transform_centre_column_choice := 59 when transform_centre_column_any else transform_columns_up_value;
+      if transform_centre_column_any then
+        transform_centre_column_choice := 59;
+      else
+        transform_centre_column_choice := transform_columns_up_value;
+      end if;
       transform_from_first_1_differs := (transform_centre_column / 4) /= 0;
       transform_up_to_last_0_sum := (transform_centre_column / 2) + 1;
       transform_up_to_last_0_is_equal := (size_windows_last_column mod 4) = 3;
       transform_up_to_last_0_value := ((size_windows_last_column / 2) mod 2) = 1;
-      transform_up_to_last_0_choice := transform_up_to_last_0_is_equal when (transform_centre_column mod 2) = 1 else
-        transform_up_to_last_0_value;
-      transform_up_to_last_0_choice_2 := transform_up_to_last_0_choice when (transform_up_to_last_0_sum mod 2) = 1 else
-        (not ((transform_centre_column mod 2) = 1)) or ((size_windows_last_column mod 2) = 1) or
-        transform_up_to_last_0_value;
+      if (transform_centre_column mod 2) = 1 then
+        transform_up_to_last_0_choice := transform_up_to_last_0_is_equal;
+      else
+        transform_up_to_last_0_choice := transform_up_to_last_0_value;
+      end if;
+      if (transform_up_to_last_0_sum mod 2) = 1 then
+        transform_up_to_last_0_choice_2 := transform_up_to_last_0_choice;
+      else
+        transform_up_to_last_0_choice_2 := (not ((transform_centre_column mod 2) = 1)) or ((size_windows_last_column
+          mod 2) = 1) or transform_up_to_last_0_value;
+      end if;
       transform_up_to_last_0_value_2 := ((size_windows_last_column / 4) mod 2) = 1;
-      transform_up_to_last_0_choice_3 := (not (((transform_up_to_last_0_sum / 2) mod 2) = 1)) or
-        transform_up_to_last_0_value_2 when transform_up_to_last_0_choice_2 else (not (((transform_up_to_last_0_sum /
-        2) mod 2) = 1)) and transform_up_to_last_0_value_2;
-      transform_up_to_last_0_choice_4 := (not (((transform_up_to_last_0_sum / 4) mod 2) = 1)) or
-        transform_counter_group_value_10 when transform_up_to_last_0_choice_3 else (not (((transform_up_to_last_0_sum /
-        4) mod 2) = 1)) and transform_counter_group_value_10;
+      if transform_up_to_last_0_choice_2 then
+        transform_up_to_last_0_choice_3 := (not (((transform_up_to_last_0_sum / 2) mod 2) = 1)) or
+          transform_up_to_last_0_value_2;
+      else
+        transform_up_to_last_0_choice_3 := (not (((transform_up_to_last_0_sum / 2) mod 2) = 1)) and
+          transform_up_to_last_0_value_2;
+      end if;
+      if transform_up_to_last_0_choice_3 then
+        transform_up_to_last_0_choice_4 := (not (((transform_up_to_last_0_sum / 4) mod 2) = 1)) or
+          transform_counter_group_value_10;
+      else
+        transform_up_to_last_0_choice_4 := (not (((transform_up_to_last_0_sum / 4) mod 2) = 1)) and
+          transform_counter_group_value_10;
+      end if;
       transform_up_to_last_0_value_3 := ((size_windows_last_column / 16) mod 2) = 1;
-      transform_up_to_last_0_choice_5 := (not (((transform_up_to_last_0_sum / 8) mod 2) = 1)) or
-        transform_up_to_last_0_value_3 when transform_up_to_last_0_choice_4 else (not (((transform_up_to_last_0_sum /
-        8) mod 2) = 1)) and transform_up_to_last_0_value_3;
-      transform_up_to_last_0_choice_6 := (not ((transform_up_to_last_0_sum / 32) = 1)) and ((not
-        (((transform_up_to_last_0_sum / 16) mod 2) = 1)) or ((size_windows_last_column / 32) = 1)) when
-        transform_up_to_last_0_choice_5 else ((transform_up_to_last_0_sum / 16) = 0) and ((size_windows_last_column /
-        32) = 1);
+      if transform_up_to_last_0_choice_4 then
+        transform_up_to_last_0_choice_5 := (not (((transform_up_to_last_0_sum / 8) mod 2) = 1)) or
+          transform_up_to_last_0_value_3;
+      else
+        transform_up_to_last_0_choice_5 := (not (((transform_up_to_last_0_sum / 8) mod 2) = 1)) and
+          transform_up_to_last_0_value_3;
+      end if;
+      if transform_up_to_last_0_choice_5 then
+        transform_up_to_last_0_choice_6 := (not ((transform_up_to_last_0_sum / 32) = 1)) and ((not
+          (((transform_up_to_last_0_sum / 16) mod 2) = 1)) or ((size_windows_last_column / 32) = 1));
+      else
+        transform_up_to_last_0_choice_6 := ((transform_up_to_last_0_sum / 16) = 0) and ((size_windows_last_column / 32)
+          = 1);
+      end if;
       transform_up_to_last_0_difference := transform_centre_group - size_windows_groups;
       transform_up_to_last_1_sum := transform_centre_column + 5;
-      transform_up_to_last_1_choice := transform_up_to_last_0_is_equal when (transform_up_to_last_1_sum mod 2) = 1 else
-        transform_up_to_last_0_value;
-      transform_up_to_last_1_choice_2 := transform_up_to_last_1_choice when ((transform_up_to_last_1_sum / 2) mod 2) =
-        1 else (not ((transform_up_to_last_1_sum mod 2) = 1)) or ((size_windows_last_column mod 2) = 1) or
-        transform_up_to_last_0_value;
-      transform_up_to_last_1_choice_3 := (not (((transform_up_to_last_1_sum / 4) mod 2) = 1)) or
-        transform_up_to_last_0_value_2 when transform_up_to_last_1_choice_2 else (not (((transform_up_to_last_1_sum /
-        4) mod 2) = 1)) and transform_up_to_last_0_value_2;
-      transform_up_to_last_1_choice_4 := (not (((transform_up_to_last_1_sum / 8) mod 2) = 1)) or
-        transform_counter_group_value_10 when transform_up_to_last_1_choice_3 else (not (((transform_up_to_last_1_sum /
-        8) mod 2) = 1)) and transform_counter_group_value_10;
-      transform_up_to_last_1_choice_5 := (not (((transform_up_to_last_1_sum / 16) mod 2) = 1)) or
-        transform_up_to_last_0_value_3 when transform_up_to_last_1_choice_4 else (not (((transform_up_to_last_1_sum /
-        16) mod 2) = 1)) and transform_up_to_last_0_value_3;
-      transform_up_to_last_1_choice_6 := (not ((transform_up_to_last_1_sum / 64) = 1)) and ((not
-        (((transform_up_to_last_1_sum / 32) mod 2) = 1)) or ((size_windows_last_column / 32) = 1)) when
-        transform_up_to_last_1_choice_5 else ((transform_up_to_last_1_sum / 32) = 0) and ((size_windows_last_column /
-        32) = 1);
+      if (transform_up_to_last_1_sum mod 2) = 1 then
+        transform_up_to_last_1_choice := transform_up_to_last_0_is_equal;
+      else
+        transform_up_to_last_1_choice := transform_up_to_last_0_value;
+      end if;
+      if ((transform_up_to_last_1_sum / 2) mod 2) = 1 then
+        transform_up_to_last_1_choice_2 := transform_up_to_last_1_choice;
+      else
+        transform_up_to_last_1_choice_2 := (not ((transform_up_to_last_1_sum mod 2) = 1)) or ((size_windows_last_column
+          mod 2) = 1) or transform_up_to_last_0_value;
+      end if;
+      if transform_up_to_last_1_choice_2 then
+        transform_up_to_last_1_choice_3 := (not (((transform_up_to_last_1_sum / 4) mod 2) = 1)) or
+          transform_up_to_last_0_value_2;
+      else
+        transform_up_to_last_1_choice_3 := (not (((transform_up_to_last_1_sum / 4) mod 2) = 1)) and
+          transform_up_to_last_0_value_2;
+      end if;
+      if transform_up_to_last_1_choice_3 then
+        transform_up_to_last_1_choice_4 := (not (((transform_up_to_last_1_sum / 8) mod 2) = 1)) or
+          transform_counter_group_value_10;
+      else
+        transform_up_to_last_1_choice_4 := (not (((transform_up_to_last_1_sum / 8) mod 2) = 1)) and
+          transform_counter_group_value_10;
+      end if;
+      if transform_up_to_last_1_choice_4 then
+        transform_up_to_last_1_choice_5 := (not (((transform_up_to_last_1_sum / 16) mod 2) = 1)) or
+          transform_up_to_last_0_value_3;
+      else
+        transform_up_to_last_1_choice_5 := (not (((transform_up_to_last_1_sum / 16) mod 2) = 1)) and
+          transform_up_to_last_0_value_3;
+      end if;
+      if transform_up_to_last_1_choice_5 then
+        transform_up_to_last_1_choice_6 := (not ((transform_up_to_last_1_sum / 64) = 1)) and ((not
+          (((transform_up_to_last_1_sum / 32) mod 2) = 1)) or ((size_windows_last_column / 32) = 1));
+      else
+        transform_up_to_last_1_choice_6 := ((transform_up_to_last_1_sum / 32) = 0) and ((size_windows_last_column / 32)
+          = 1);
+      end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice_13 when in_valid and in_start_of_frame else
-        transform_counter_group_choice_26;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_words_1 <= transform_left_rows_read_words_1;
@@ -1243,14 +1501,6 @@ begin
         mod 4);
       transform_centre_column <= (transform_centre_column_choice + transform_counter_column) mod 64;
       transform_centre_group <= transform_counter_group + as_number(transform_centre_column_any);
-      transform_from_first_0 <= (not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
-        (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
-        ((transform_centre_group / 8) = 0))) and ((transform_centre_column / 32) = 1) when ((transform_centre_column /
-        2) mod 16) = 0 else not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not (((transform_centre_group /
-        2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and ((transform_centre_group / 8) = 0));
-      transform_from_first_1 <= transform_from_first_1_differs and ((transform_centre_group / 32) = 1) when (not
-        (((transform_centre_group / 16) mod 2) = 1)) and ((not (((transform_centre_group / 8) mod 2) = 1)) or
-        (((transform_centre_group / 2) mod 4) = 0)) else transform_from_first_1_differs;
       transform_up_to_last_0 <= transform_up_to_last_0_choice_6 and (transform_up_to_last_0_difference < 3);
       transform_up_to_last_1 <= transform_up_to_last_1_choice_6 and (transform_up_to_last_0_difference < 1);
       transform_left_column_0 <= to_integer(transform_left_rows_ready_words_0(7 downto 0));
@@ -1326,7 +1576,6 @@ begin
         transform_left_code_row_even_2) mod 16384) / 8192) * 32) + ((((transform_left_code_row_even_1 -
         transform_left_code_row_odd_2) mod 16384) / 8192) * 4) + ((((transform_left_code_row_even_1 +
         transform_left_code_row_odd_2) mod 16384) / 8192) * 16);
-      transform_left_code_bits <= transform_left_code_earlier_2 when transform_filtering_6_inside_0 else 0;
       transform_left_code_next_column_box_0_0_0 <= transform_left_column_0 + transform_left_column_1;
       transform_left_code_next_column_box_0_1_0 <= transform_left_column_2 + transform_left_column_3;
       transform_left_code_next_column_box_0_2_0 <= transform_left_column_4 + transform_left_column_5;
@@ -1391,7 +1640,6 @@ begin
         ((((transform_left_code_next_row_odd_1 - transform_left_code_next_row_even_2) mod 65536) / 32768) * 32) +
         ((((transform_left_code_next_row_even_1 - transform_left_code_next_row_odd_2) mod 65536) / 32768) * 4) +
         ((((transform_left_code_next_row_even_1 + transform_left_code_next_row_odd_2) mod 65536) / 32768) * 16);
-      transform_left_code_next_bits <= transform_left_code_next_row_signs when transform_filtering_6_inside_1 else 0;
       transform_right_code_column_box_0_0_0 <= transform_right_column_3;
       transform_right_code_column_box_0_1_0 <= transform_right_column_4;
       transform_right_code_column_box_0_2_0 <= transform_right_column_5;
@@ -1443,7 +1691,6 @@ begin
         ((((transform_right_code_row_odd_1 - transform_right_code_row_even_2) mod 16384) / 8192) * 32) +
         ((((transform_right_code_row_even_1 - transform_right_code_row_odd_2) mod 16384) / 8192) * 4) +
         ((((transform_right_code_row_even_1 + transform_right_code_row_odd_2) mod 16384) / 8192) * 16);
-      transform_right_code_bits <= transform_right_code_earlier_2 when transform_filtering_6_inside_0 else 0;
       transform_right_code_next_column_box_0_0_0 <= transform_right_column_0 + transform_right_column_1;
       transform_right_code_next_column_box_0_1_0 <= transform_right_column_2 + transform_right_column_3;
       transform_right_code_next_column_box_0_2_0 <= transform_right_column_4 + transform_right_column_5;
@@ -1508,7 +1755,6 @@ begin
         ((((transform_right_code_next_row_odd_1 - transform_right_code_next_row_even_2) mod 65536) / 32768) * 32) +
         ((((transform_right_code_next_row_even_1 - transform_right_code_next_row_odd_2) mod 65536) / 32768) * 4) +
         ((((transform_right_code_next_row_even_1 + transform_right_code_next_row_odd_2) mod 65536) / 32768) * 16);
-      transform_right_code_next_bits <= transform_right_code_next_row_signs when transform_filtering_6_inside_1 else 0;
       transform_filtering_0_inside_0 <= transform_columns_inside_0;
       transform_filtering_0_inside_1 <= transform_columns_inside_1;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -1539,18 +1785,60 @@ begin
       transform_filtering_6_valid <= transform_filtering_5_valid;
       transform_filtering_7_start_of_frame <= transform_filtering_6_start_of_frame;
       transform_filtering_7_valid <= transform_filtering_6_valid;
-      transform_counter_next_frame_choice := (not (transform_counter_group_choice_21 and
-        transform_counter_group_choice_24 and transform_counter_group_differs_4)) and transform_counter_next_frame when
-        transform_counter_group_choice_18 else transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= transform_counter_group_choice_13;
+      else
+        transform_counter_group <= transform_counter_group_choice_26;
+      end if;
+      if ((transform_centre_column / 2) mod 16) = 0 then
+        transform_from_first_0 <= (not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
+          (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+          ((transform_centre_group / 8) = 0))) and ((transform_centre_column / 32) = 1);
+      else
+        transform_from_first_0 <= not (((not (((transform_centre_group / 4) mod 2) = 1)) or (not
+          (((transform_centre_group / 2) mod 2) = 1)) or (not ((transform_centre_group mod 2) = 1))) and
+          ((transform_centre_group / 8) = 0));
+      end if;
+      if (not (((transform_centre_group / 16) mod 2) = 1)) and ((not (((transform_centre_group / 8) mod 2) = 1)) or
+        (((transform_centre_group / 2) mod 4) = 0)) then
+        transform_from_first_1 <= transform_from_first_1_differs and ((transform_centre_group / 32) = 1);
+      else
+        transform_from_first_1 <= transform_from_first_1_differs;
+      end if;
+      if transform_filtering_6_inside_0 then
+        transform_left_code_bits <= transform_left_code_earlier_2;
+        transform_right_code_bits <= transform_right_code_earlier_2;
+      else
+        transform_left_code_bits <= 0;
+        transform_right_code_bits <= 0;
+      end if;
+      if transform_filtering_6_inside_1 then
+        transform_left_code_next_bits <= transform_left_code_next_row_signs;
+        transform_right_code_next_bits <= transform_right_code_next_row_signs;
+      else
+        transform_left_code_next_bits <= 0;
+        transform_right_code_next_bits <= 0;
+      end if;
+      if transform_counter_group_choice_18 then
+        transform_counter_next_frame_choice := (not (transform_counter_group_choice_21 and
+          transform_counter_group_choice_24 and transform_counter_group_differs_4)) and transform_counter_next_frame;
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when (transform_counter_group_choice_9 and transform_counter_group_choice_12 and
-          transform_counter_group_differs_2 and transform_counter_group_differs_3) or in_start_of_frame else
-          (transform_counter_column + 1) mod 64;
-        transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame) when
-          transform_counter_next_frame_choice else transform_counter_group_choice_3 and
-          transform_counter_group_choice_6 and transform_counter_group_differs and transform_counter_group_choice_9 and
-          transform_counter_group_choice_12 and transform_counter_group_differs_2 and transform_counter_group_differs_3
-          and in_start_of_frame;
+        if (transform_counter_group_choice_9 and transform_counter_group_choice_12 and
+          transform_counter_group_differs_2 and transform_counter_group_differs_3) or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 64;
+        end if;
+        if transform_counter_next_frame_choice then
+          transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame);
+        else
+          transform_counter_next_frame <= transform_counter_group_choice_3 and transform_counter_group_choice_6 and
+            transform_counter_group_differs and transform_counter_group_choice_9 and transform_counter_group_choice_12
+            and transform_counter_group_differs_2 and transform_counter_group_differs_3 and in_start_of_frame;
+        end if;
       end if;
       if (other_3 / 256) = 1 then
         transform_left_rows_write_words_0 <= transform_left_rows_ready_words_1(7 downto 0) &
@@ -1658,54 +1946,97 @@ begin
       -- raster
       raster_place_group_value := ((raster_place_group / 2) mod 2) = 1;
       raster_place_group_value_2 := ((size_windows_idle / 2) mod 2) = 1;
-      raster_place_group_choice := (not raster_place_group_value_2) or (not ((size_windows_idle mod 2) = 1)) when
-        raster_place_group_value else (size_windows_idle mod 4) = 0;
-      raster_place_group_choice_2 := raster_place_group_value or (not raster_place_group_value_2) when
-        (raster_place_group mod 2) = 1 else raster_place_group_choice;
+      if raster_place_group_value then
+        raster_place_group_choice := (not raster_place_group_value_2) or (not ((size_windows_idle mod 2) = 1));
+      else
+        raster_place_group_choice := (size_windows_idle mod 4) = 0;
+      end if;
+      if (raster_place_group mod 2) = 1 then
+        raster_place_group_choice_2 := raster_place_group_value or (not raster_place_group_value_2);
+      else
+        raster_place_group_choice_2 := raster_place_group_choice;
+      end if;
       raster_place_group_value_3 := ((raster_place_group / 4) mod 2) = 1;
       raster_place_group_value_4 := ((size_windows_idle / 4) mod 2) = 1;
-      raster_place_group_choice_3 := (not raster_place_group_value_3) and raster_place_group_value_4 when
-        raster_place_group_choice_2 else (not raster_place_group_value_3) or raster_place_group_value_4;
+      if raster_place_group_choice_2 then
+        raster_place_group_choice_3 := (not raster_place_group_value_3) and raster_place_group_value_4;
+      else
+        raster_place_group_choice_3 := (not raster_place_group_value_3) or raster_place_group_value_4;
+      end if;
       raster_place_group_value_5 := ((raster_place_group / 8) mod 2) = 1;
       raster_place_group_value_6 := ((size_windows_idle / 8) mod 2) = 1;
-      raster_place_group_choice_4 := (not raster_place_group_value_5) or raster_place_group_value_6 when
-        raster_place_group_choice_3 else (not raster_place_group_value_5) and raster_place_group_value_6;
-      raster_place_group_choice_5 := (not ((raster_place_group / 16) = 1)) or ((size_windows_idle / 16) = 1) when
-        raster_place_group_choice_4 else (not ((raster_place_group / 16) = 1)) and ((size_windows_idle / 16) = 1);
+      if raster_place_group_choice_3 then
+        raster_place_group_choice_4 := (not raster_place_group_value_5) or raster_place_group_value_6;
+      else
+        raster_place_group_choice_4 := (not raster_place_group_value_5) and raster_place_group_value_6;
+      end if;
+      if raster_place_group_choice_4 then
+        raster_place_group_choice_5 := (not ((raster_place_group / 16) = 1)) or ((size_windows_idle / 16) = 1);
+      else
+        raster_place_group_choice_5 := (not ((raster_place_group / 16) = 1)) and ((size_windows_idle / 16) = 1);
+      end if;
       raster_place_group_value_7 := ((raster_place_column / 16) mod 2) = 1;
-      raster_place_group_choice_6 := transform_counter_group_is_equal when raster_place_group_value_7 else
-        transform_counter_group_is_equal_2;
-      raster_place_group_choice_7 := transform_counter_group_is_equal_3 when raster_place_group_value_7 else
-        transform_counter_group_is_equal_4;
-      raster_place_group_choice_8 := raster_place_group_choice_6 when (raster_place_column / 32) = 1 else
-        raster_place_group_choice_7;
+      if raster_place_group_value_7 then
+        raster_place_group_choice_6 := transform_counter_group_is_equal;
+      else
+        raster_place_group_choice_6 := transform_counter_group_is_equal_2;
+      end if;
+      if raster_place_group_value_7 then
+        raster_place_group_choice_7 := transform_counter_group_is_equal_3;
+      else
+        raster_place_group_choice_7 := transform_counter_group_is_equal_4;
+      end if;
+      if (raster_place_column / 32) = 1 then
+        raster_place_group_choice_8 := raster_place_group_choice_6;
+      else
+        raster_place_group_choice_8 := raster_place_group_choice_7;
+      end if;
       raster_place_group_value_8 := ((raster_place_column / 4) mod 2) = 1;
       raster_place_group_value_9 := ((raster_place_column / 2) mod 2) = 1;
-      raster_place_group_choice_9 := transform_counter_group_is_equal_5 when raster_place_group_value_9 else
-        transform_counter_group_is_equal_6;
-      raster_place_group_choice_10 := transform_counter_group_is_equal_7 when raster_place_group_value_9 else
-        transform_counter_group_is_equal_8;
-      raster_place_group_choice_11 := raster_place_group_choice_9 when raster_place_group_value_8 else
-        raster_place_group_choice_10;
+      if raster_place_group_value_9 then
+        raster_place_group_choice_9 := transform_counter_group_is_equal_5;
+      else
+        raster_place_group_choice_9 := transform_counter_group_is_equal_6;
+      end if;
+      if raster_place_group_value_9 then
+        raster_place_group_choice_10 := transform_counter_group_is_equal_7;
+      else
+        raster_place_group_choice_10 := transform_counter_group_is_equal_8;
+      end if;
+      if raster_place_group_value_8 then
+        raster_place_group_choice_11 := raster_place_group_choice_9;
+      else
+        raster_place_group_choice_11 := raster_place_group_choice_10;
+      end if;
       raster_place_group_differs := ((raster_place_column mod 2) = 1) /= (not ((size_windows_last_column mod 2) = 1));
       raster_place_group_value_10 := ((raster_place_column / 8) mod 2) = 1;
       raster_place_group_differs_2 := raster_place_group_value_10 /= (not transform_counter_group_value_10);
       raster_features_search_0 <= (transform_right_code_next_bits * 64) + transform_right_code_bits;
       raster_features_reference_0 <= (transform_left_code_next_bits * 64) + transform_left_code_bits;
       raster_features_valid <= transform_filtering_7_valid;
-      raster_place_group <= 0 when transform_filtering_7_valid and transform_filtering_7_start_of_frame else
-        (raster_place_group + as_number((raster_place_group_choice_5 and raster_place_group_choice_8 and
-        raster_place_group_choice_11 and raster_place_group_differs and raster_place_group_differs_2 and
-        transform_filtering_7_valid))) mod 32;
+      if transform_filtering_7_valid and transform_filtering_7_start_of_frame then
+        raster_place_group <= 0;
+      else
+        raster_place_group <= (raster_place_group + as_number((raster_place_group_choice_5 and
+          raster_place_group_choice_8 and raster_place_group_choice_11 and raster_place_group_differs and
+          raster_place_group_differs_2 and transform_filtering_7_valid))) mod 32;
+      end if;
       if transform_filtering_7_valid then
-        raster_place_column <= 0 when (raster_place_group_choice_8 and raster_place_group_choice_11 and
-          raster_place_group_differs and raster_place_group_differs_2) or transform_filtering_7_start_of_frame else
-          (raster_place_column + 1) mod 64;
+        if (raster_place_group_choice_8 and raster_place_group_choice_11 and raster_place_group_differs and
+          raster_place_group_differs_2) or transform_filtering_7_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 64;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 2 else (delay_ring_read_address + 1) mod 4;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 2 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 4;
+        end if;
       end if;
       delay_row_inside_0_difference := raster_place_group - size_windows_groups;
       delay_row_inside_0_is_less := delay_row_inside_0_difference < 4;
@@ -1714,67 +2045,141 @@ begin
       delay_row_inside_0_all := delay_row_inside_0_is_less and delay_row_inside_0_any;
       delay_row_inside_1_is_less := delay_row_inside_0_difference < 0;
       delay_tag_row_start_is_equal := raster_place_column = 0;
-      delay_tag_leaves_window_choice := (not ((size_windows_last_column mod 2) = 1)) or (not
-        transform_up_to_last_0_value) when raster_place_group_value_9 else (size_windows_last_column mod 4) = 0;
-      delay_tag_leaves_window_choice_2 := delay_tag_leaves_window_choice when (raster_place_column mod 2) = 1 else
-        raster_place_group_value_9 and (not transform_up_to_last_0_value);
-      delay_tag_leaves_window_choice_3 := raster_place_group_value_8 or (not transform_up_to_last_0_value_2) when
-        delay_tag_leaves_window_choice_2 else raster_place_group_value_8 and (not transform_up_to_last_0_value_2);
-      delay_tag_leaves_window_choice_4 := raster_place_group_value_10 or (not transform_counter_group_value_10) when
-        delay_tag_leaves_window_choice_3 else raster_place_group_value_10 and (not transform_counter_group_value_10);
-      delay_tag_leaves_window_choice_5 := raster_place_group_value_7 or (not transform_up_to_last_0_value_3) when
-        delay_tag_leaves_window_choice_4 else raster_place_group_value_7 and (not transform_up_to_last_0_value_3);
+      if raster_place_group_value_9 then
+        delay_tag_leaves_window_choice := (not ((size_windows_last_column mod 2) = 1)) or (not
+          transform_up_to_last_0_value);
+      else
+        delay_tag_leaves_window_choice := (size_windows_last_column mod 4) = 0;
+      end if;
+      if (raster_place_column mod 2) = 1 then
+        delay_tag_leaves_window_choice_2 := delay_tag_leaves_window_choice;
+      else
+        delay_tag_leaves_window_choice_2 := raster_place_group_value_9 and (not transform_up_to_last_0_value);
+      end if;
+      if delay_tag_leaves_window_choice_2 then
+        delay_tag_leaves_window_choice_3 := raster_place_group_value_8 or (not transform_up_to_last_0_value_2);
+      else
+        delay_tag_leaves_window_choice_3 := raster_place_group_value_8 and (not transform_up_to_last_0_value_2);
+      end if;
+      if delay_tag_leaves_window_choice_3 then
+        delay_tag_leaves_window_choice_4 := raster_place_group_value_10 or (not transform_counter_group_value_10);
+      else
+        delay_tag_leaves_window_choice_4 := raster_place_group_value_10 and (not transform_counter_group_value_10);
+      end if;
+      if delay_tag_leaves_window_choice_4 then
+        delay_tag_leaves_window_choice_5 := raster_place_group_value_7 or (not transform_up_to_last_0_value_3);
+      else
+        delay_tag_leaves_window_choice_5 := raster_place_group_value_7 and (not transform_up_to_last_0_value_3);
+      end if;
       delay_tag_leaves_window_is_not_less := (raster_place_column - other_6) >= 0;
       delay_tag_map_column_value := ((size_map_columns_to / 2) mod 2) = 1;
-      delay_tag_map_column_choice := raster_place_group_value_9 when (size_map_columns_to mod 2) = 1 else
-        ((raster_place_column mod 2) = 1) or raster_place_group_value_9;
-      delay_tag_map_column_choice_2 := (not ((size_map_columns_to mod 2) = 1)) and ((raster_place_column mod 4) = 3)
-        when delay_tag_map_column_value else delay_tag_map_column_choice;
+      if (size_map_columns_to mod 2) = 1 then
+        delay_tag_map_column_choice := raster_place_group_value_9;
+      else
+        delay_tag_map_column_choice := ((raster_place_column mod 2) = 1) or raster_place_group_value_9;
+      end if;
+      if delay_tag_map_column_value then
+        delay_tag_map_column_choice_2 := (not ((size_map_columns_to mod 2) = 1)) and ((raster_place_column mod 4) = 3);
+      else
+        delay_tag_map_column_choice_2 := delay_tag_map_column_choice;
+      end if;
       delay_tag_map_column_value_2 := ((size_map_columns_to / 4) mod 2) = 1;
-      delay_tag_map_column_choice_3 := (not delay_tag_map_column_value_2) or raster_place_group_value_8 when
-        delay_tag_map_column_choice_2 else (not delay_tag_map_column_value_2) and raster_place_group_value_8;
+      if delay_tag_map_column_choice_2 then
+        delay_tag_map_column_choice_3 := (not delay_tag_map_column_value_2) or raster_place_group_value_8;
+      else
+        delay_tag_map_column_choice_3 := (not delay_tag_map_column_value_2) and raster_place_group_value_8;
+      end if;
       delay_tag_map_column_value_3 := ((size_map_columns_to / 8) mod 2) = 1;
-      delay_tag_map_column_choice_4 := (not delay_tag_map_column_value_3) or raster_place_group_value_10 when
-        delay_tag_map_column_choice_3 else (not delay_tag_map_column_value_3) and raster_place_group_value_10;
+      if delay_tag_map_column_choice_3 then
+        delay_tag_map_column_choice_4 := (not delay_tag_map_column_value_3) or raster_place_group_value_10;
+      else
+        delay_tag_map_column_choice_4 := (not delay_tag_map_column_value_3) and raster_place_group_value_10;
+      end if;
       delay_tag_map_column_value_4 := ((size_map_columns_to / 16) mod 2) = 1;
-      delay_tag_map_column_choice_5 := (not delay_tag_map_column_value_4) or raster_place_group_value_7 when
-        delay_tag_map_column_choice_4 else (not delay_tag_map_column_value_4) and raster_place_group_value_7;
+      if delay_tag_map_column_choice_4 then
+        delay_tag_map_column_choice_5 := (not delay_tag_map_column_value_4) or raster_place_group_value_7;
+      else
+        delay_tag_map_column_choice_5 := (not delay_tag_map_column_value_4) and raster_place_group_value_7;
+      end if;
       delay_tag_map_column_is_not_less := (raster_place_column - other_5) >= 0;
-      delay_tag_output_column_choice := (not ((size_map_columns_to / 32) = 1)) or ((raster_place_column / 32) = 1) when
-        delay_tag_map_column_choice_5 else (not ((size_map_columns_to / 32) = 1)) and ((raster_place_column / 32) = 1);
+      if delay_tag_map_column_choice_5 then
+        delay_tag_output_column_choice := (not ((size_map_columns_to / 32) = 1)) or ((raster_place_column / 32) = 1);
+      else
+        delay_tag_output_column_choice := (not ((size_map_columns_to / 32) = 1)) and ((raster_place_column / 32) = 1);
+      end if;
       delay_tag_first_column_is_equal := raster_place_column = other_5;
-      delay_tag_end_of_line_choice := (raster_place_column / 16) = 3 when delay_tag_map_column_value_4 else
-        (raster_place_column / 16) = 2;
-      delay_tag_end_of_line_choice_2 := (raster_place_column / 16) = 1 when delay_tag_map_column_value_4 else
-        (raster_place_column / 16) = 0;
-      delay_tag_end_of_line_choice_3 := delay_tag_end_of_line_choice when (size_map_columns_to / 32) = 1 else
-        delay_tag_end_of_line_choice_2;
+      if delay_tag_map_column_value_4 then
+        delay_tag_end_of_line_choice := (raster_place_column / 16) = 3;
+      else
+        delay_tag_end_of_line_choice := (raster_place_column / 16) = 2;
+      end if;
+      if delay_tag_map_column_value_4 then
+        delay_tag_end_of_line_choice_2 := (raster_place_column / 16) = 1;
+      else
+        delay_tag_end_of_line_choice_2 := (raster_place_column / 16) = 0;
+      end if;
+      if (size_map_columns_to / 32) = 1 then
+        delay_tag_end_of_line_choice_3 := delay_tag_end_of_line_choice;
+      else
+        delay_tag_end_of_line_choice_3 := delay_tag_end_of_line_choice_2;
+      end if;
       delay_tag_end_of_line_value := (raster_place_column / 2) mod 4;
-      delay_tag_end_of_line_choice_4 := delay_tag_end_of_line_value = 3 when delay_tag_map_column_value else
-        delay_tag_end_of_line_value = 2;
-      delay_tag_end_of_line_choice_5 := delay_tag_end_of_line_value = 1 when delay_tag_map_column_value else
-        delay_tag_end_of_line_value = 0;
-      delay_tag_end_of_line_choice_6 := delay_tag_end_of_line_choice_4 when delay_tag_map_column_value_2 else
-        delay_tag_end_of_line_choice_5;
+      if delay_tag_map_column_value then
+        delay_tag_end_of_line_choice_4 := delay_tag_end_of_line_value = 3;
+      else
+        delay_tag_end_of_line_choice_4 := delay_tag_end_of_line_value = 2;
+      end if;
+      if delay_tag_map_column_value then
+        delay_tag_end_of_line_choice_5 := delay_tag_end_of_line_value = 1;
+      else
+        delay_tag_end_of_line_choice_5 := delay_tag_end_of_line_value = 0;
+      end if;
+      if delay_tag_map_column_value_2 then
+        delay_tag_end_of_line_choice_6 := delay_tag_end_of_line_choice_4;
+      else
+        delay_tag_end_of_line_choice_6 := delay_tag_end_of_line_choice_5;
+      end if;
       delay_split_search_inside_0_is_equal := (raster_place_column / 2) = 0;
       delay_split_search_inside_0_value := ((delay_column / 16) mod 2) = 1;
-      delay_split_search_inside_0_choice := transform_counter_group_is_equal when delay_split_search_inside_0_value
-        else transform_counter_group_is_equal_2;
-      delay_split_search_inside_0_choice_2 := transform_counter_group_is_equal_3 when delay_split_search_inside_0_value
-        else transform_counter_group_is_equal_4;
-      delay_split_search_inside_0_choice_3 := delay_split_search_inside_0_choice when (delay_column / 32) = 1 else
-        delay_split_search_inside_0_choice_2;
+      if delay_split_search_inside_0_value then
+        delay_split_search_inside_0_choice := transform_counter_group_is_equal;
+      else
+        delay_split_search_inside_0_choice := transform_counter_group_is_equal_2;
+      end if;
+      if delay_split_search_inside_0_value then
+        delay_split_search_inside_0_choice_2 := transform_counter_group_is_equal_3;
+      else
+        delay_split_search_inside_0_choice_2 := transform_counter_group_is_equal_4;
+      end if;
+      if (delay_column / 32) = 1 then
+        delay_split_search_inside_0_choice_3 := delay_split_search_inside_0_choice;
+      else
+        delay_split_search_inside_0_choice_3 := delay_split_search_inside_0_choice_2;
+      end if;
       delay_split_search_inside_0_value_2 := ((delay_column / 2) mod 2) = 1;
-      delay_split_search_inside_0_choice_4 := transform_counter_group_is_equal_5 when
-        delay_split_search_inside_0_value_2 else transform_counter_group_is_equal_6;
-      delay_split_search_inside_0_choice_5 := transform_counter_group_is_equal_7 when
-        delay_split_search_inside_0_value_2 else transform_counter_group_is_equal_8;
-      delay_split_search_inside_0_choice_6 := delay_split_search_inside_0_choice_4 when ((delay_column / 4) mod 2) = 1
-        else delay_split_search_inside_0_choice_5;
-      delay_split_search_inside_0_choice_7 := (not (delay_split_search_inside_0_choice_6 and (((delay_column mod 2) =
-        1) /= (not ((size_windows_last_column mod 2) = 1))))) and delay_tag_row_start_is_equal and
-        raster_features_valid when delay_split_search_inside_0_choice_3 and ((((delay_column / 8) mod 2) = 1) /= (not
-        transform_counter_group_value_10)) else delay_tag_row_start_is_equal and raster_features_valid;
+      if delay_split_search_inside_0_value_2 then
+        delay_split_search_inside_0_choice_4 := transform_counter_group_is_equal_5;
+      else
+        delay_split_search_inside_0_choice_4 := transform_counter_group_is_equal_6;
+      end if;
+      if delay_split_search_inside_0_value_2 then
+        delay_split_search_inside_0_choice_5 := transform_counter_group_is_equal_7;
+      else
+        delay_split_search_inside_0_choice_5 := transform_counter_group_is_equal_8;
+      end if;
+      if ((delay_column / 4) mod 2) = 1 then
+        delay_split_search_inside_0_choice_6 := delay_split_search_inside_0_choice_4;
+      else
+        delay_split_search_inside_0_choice_6 := delay_split_search_inside_0_choice_5;
+      end if;
+      if delay_split_search_inside_0_choice_3 and ((((delay_column / 8) mod 2) = 1) /= (not
+        transform_counter_group_value_10)) then
+        delay_split_search_inside_0_choice_7 := (not (delay_split_search_inside_0_choice_6 and (((delay_column mod 2) =
+          1) /= (not ((size_windows_last_column mod 2) = 1))))) and delay_tag_row_start_is_equal and
+          raster_features_valid;
+      else
+        delay_split_search_inside_0_choice_7 := delay_tag_row_start_is_equal and raster_features_valid;
+      end if;
       delay_split_search_inside_0_all := (not delay_split_search_inside_0_choice_7) and delay_split_inside_before_0;
       delay_split_inside_before_1_all := (not delay_split_search_inside_0_choice_7) and delay_split_inside_before_1;
       delay_ahead_0 <= raster_features_reference_0;
@@ -1784,13 +2189,6 @@ begin
       delay_tag_valid <= raster_features_valid;
       delay_tag_row_start <= delay_tag_row_start_is_equal;
       delay_tag_first_group <= raster_place_group = 0;
-      delay_tag_leaves_window <= delay_tag_leaves_window_is_not_less and (not ((raster_place_column / 32) = 1)) and
-        ((size_windows_last_column / 32) = 1) when delay_tag_leaves_window_choice_5 else
-        delay_tag_leaves_window_is_not_less and ((not ((raster_place_column / 32) = 1)) or ((size_windows_last_column /
-        32) = 1));
-      delay_tag_map_column <= delay_tag_map_column_is_not_less and ((size_map_columns_to / 32) = 1) and (not
-        ((raster_place_column / 32) = 1)) when delay_tag_map_column_choice_5 else delay_tag_map_column_is_not_less and
-        (((size_map_columns_to / 32) = 1) or (not ((raster_place_column / 32) = 1)));
       delay_tag_output_column <= raster_place_group_choice_5 and (not delay_tag_output_column_choice) and
         (raster_place_group /= 0) and delay_tag_map_column_is_not_less;
       delay_tag_first_column <= delay_tag_first_column_is_equal;
@@ -1798,19 +2196,44 @@ begin
       delay_tag_end_of_line <= delay_tag_end_of_line_choice_3 and delay_tag_end_of_line_choice_6 and
         (((size_map_columns_to mod 2) = 1) /= (not ((raster_place_column mod 2) = 1))) and
         (delay_tag_map_column_value_3 /= (not raster_place_group_value_10));
-      delay_split_search_inside_0 <= delay_split_search_inside_0_all when delay_split_search_inside_0_is_equal else
-        delay_row_inside_0_all;
       delay_split_search_inside_1 <= rows_read_inside_1;
-      delay_split_inside_before_0 <= (not (raster_place_group_choice_8 and raster_place_group_choice_11 and
-        raster_place_group_differs and raster_place_group_differs_2 and raster_features_valid)) or
-        delay_row_inside_0_all when delay_split_search_inside_0_all else raster_place_group_choice_8 and
-        raster_place_group_choice_11 and raster_place_group_differs and raster_place_group_differs_2 and
-        raster_features_valid and delay_row_inside_0_is_less and delay_row_inside_0_any;
-      delay_split_inside_before_1 <= (not (raster_place_group_choice_8 and raster_place_group_choice_11 and
-        raster_place_group_differs and raster_place_group_differs_2 and raster_features_valid)) or
-        delay_row_inside_1_is_less when delay_split_inside_before_1_all else raster_place_group_choice_8 and
-        raster_place_group_choice_11 and raster_place_group_differs and raster_place_group_differs_2 and
-        raster_features_valid and delay_row_inside_1_is_less;
+      if delay_tag_leaves_window_choice_5 then
+        delay_tag_leaves_window <= delay_tag_leaves_window_is_not_less and (not ((raster_place_column / 32) = 1)) and
+          ((size_windows_last_column / 32) = 1);
+      else
+        delay_tag_leaves_window <= delay_tag_leaves_window_is_not_less and ((not ((raster_place_column / 32) = 1)) or
+          ((size_windows_last_column / 32) = 1));
+      end if;
+      if delay_tag_map_column_choice_5 then
+        delay_tag_map_column <= delay_tag_map_column_is_not_less and ((size_map_columns_to / 32) = 1) and (not
+          ((raster_place_column / 32) = 1));
+      else
+        delay_tag_map_column <= delay_tag_map_column_is_not_less and (((size_map_columns_to / 32) = 1) or (not
+          ((raster_place_column / 32) = 1)));
+      end if;
+      if delay_split_search_inside_0_is_equal then
+        delay_split_search_inside_0 <= delay_split_search_inside_0_all;
+      else
+        delay_split_search_inside_0 <= delay_row_inside_0_all;
+      end if;
+      if delay_split_search_inside_0_all then
+        delay_split_inside_before_0 <= (not (raster_place_group_choice_8 and raster_place_group_choice_11 and
+          raster_place_group_differs and raster_place_group_differs_2 and raster_features_valid)) or
+          delay_row_inside_0_all;
+      else
+        delay_split_inside_before_0 <= raster_place_group_choice_8 and raster_place_group_choice_11 and
+          raster_place_group_differs and raster_place_group_differs_2 and raster_features_valid and
+          delay_row_inside_0_is_less and delay_row_inside_0_any;
+      end if;
+      if delay_split_inside_before_1_all then
+        delay_split_inside_before_1 <= (not (raster_place_group_choice_8 and raster_place_group_choice_11 and
+          raster_place_group_differs and raster_place_group_differs_2 and raster_features_valid)) or
+          delay_row_inside_1_is_less;
+      else
+        delay_split_inside_before_1 <= raster_place_group_choice_8 and raster_place_group_choice_11 and
+          raster_place_group_differs and raster_place_group_differs_2 and raster_features_valid and
+          delay_row_inside_1_is_less;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= to_integer(delay_delayed_0);
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -1836,8 +2259,6 @@ begin
       rows_read_search_inside_1 <= rows_ready_inside_1;
       rows_ready_column <= rows_read_column;
       rows_ready_inside_0 <= rows_read_inside_0;
-      rows_ready_inside_1 <= delay_split_inside_before_1_all when delay_split_search_inside_0_is_equal else
-        delay_row_inside_1_is_less;
       rows_ready_tag_valid <= rows_read_tag_valid;
       rows_ready_tag_row_start <= rows_read_tag_row_start;
       rows_ready_tag_first_group <= rows_read_tag_first_group;
@@ -1849,10 +2270,6 @@ begin
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
       rows_ready_search_inside_0 <= rows_read_search_inside_0;
       rows_ready_search_inside_1 <= rows_read_search_inside_1;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 4096 when rows_ready_search_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_newest_0 when rows_ready_search_inside_1 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_newest_0 when delay_split_search_inside_1 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_row_start <= rows_ready_tag_row_start;
       rows_tag_first_group <= rows_ready_tag_first_group;
@@ -1862,6 +2279,31 @@ begin
       rows_tag_first_column <= rows_ready_tag_first_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if delay_split_search_inside_0_is_equal then
+        rows_ready_inside_1 <= delay_split_inside_before_1_all;
+      else
+        rows_ready_inside_1 <= delay_row_inside_1_is_less;
+      end if;
+      if rows_ready_search_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 4096;
+      else
+        rows_search_0 <= 0;
+      end if;
+      if rows_ready_search_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_newest_0;
+      else
+        rows_search_1 <= 0;
+      end if;
+      if rows_ready_inside_0 then
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096;
+      else
+        rows_reference_0 <= 0;
+      end if;
+      if delay_split_search_inside_1 then
+        rows_reference_1 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_reference_1 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 4096) + ((rows_search_rows_ready_words_1
           mod 4096) * 4096);
@@ -1922,19 +2364,41 @@ begin
       slice0cost_pixels_first_1_0_value_8 := ((slice0shift_reference_1 / 128) mod 2) = 1;
       slice0cost_pixels_first_1_0_value_9 := ((slice0shift_reference_1 / 512) mod 2) = 1;
       slice0cost_pixels_first_1_0_value_10 := ((slice0shift_reference_1 / 1024) mod 2) = 1;
-      slice0cost_column_0_0_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 mod 128;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_0_choice := 0;
+      else
+        slice0cost_column_0_0_choice := slice0cost_ready_words_0 mod 128;
+      end if;
       slice0cost_column_0_0_value := (slice0cost_change_0_0 + slice0cost_column_0_0_choice) mod 128;
-      slice0cost_column_0_1_choice := 0 when slice0cost_ready_tag_first_group else (slice0cost_ready_words_0 / 128) mod
-        128;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_1_choice := 0;
+      else
+        slice0cost_column_0_1_choice := (slice0cost_ready_words_0 / 128) mod 128;
+      end if;
       slice0cost_column_0_1_value := (slice0cost_change_0_1 + slice0cost_column_0_1_choice) mod 128;
-      slice0cost_column_0_2_choice := 0 when slice0cost_ready_tag_first_group else (slice0cost_ready_words_0 / 16384)
-        mod 128;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_2_choice := 0;
+      else
+        slice0cost_column_0_2_choice := (slice0cost_ready_words_0 / 16384) mod 128;
+      end if;
       slice0cost_column_0_2_value := (slice0cost_change_0_2 + slice0cost_column_0_2_choice) mod 128;
-      slice0cost_column_0_3_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_0 / 2097152;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_3_choice := 0;
+      else
+        slice0cost_column_0_3_choice := slice0cost_ready_words_0 / 2097152;
+      end if;
       slice0cost_column_0_3_value := (slice0cost_column_0_3_choice + slice0cost_change_0_3) mod 128;
-      slice0cost_column_0_4_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1 mod 128;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_4_choice := 0;
+      else
+        slice0cost_column_0_4_choice := slice0cost_ready_words_1 mod 128;
+      end if;
       slice0cost_column_0_4_value := (slice0cost_change_0_4 + slice0cost_column_0_4_choice) mod 128;
-      slice0cost_column_0_5_choice := 0 when slice0cost_ready_tag_first_group else slice0cost_ready_words_1 / 128;
+      if slice0cost_ready_tag_first_group then
+        slice0cost_column_0_5_choice := 0;
+      else
+        slice0cost_column_0_5_choice := slice0cost_ready_words_1 / 128;
+      end if;
       slice0cost_column_0_5_value := (slice0cost_column_0_5_choice + slice0cost_change_0_5) mod 128;
       slice0cost_pixels_first_0_0 <= ((as_number((slice0cost_pixels_first_0_0_value /= (((slice0shift_search_0_0 / 8)
         mod 2) = 1))) + as_number((slice0cost_pixels_first_0_0_value_2 /= (((slice0shift_search_0_0 / 32) mod 2) = 1)))
@@ -2179,11 +2643,18 @@ begin
       slice0cost_tag_start_of_frame <= slice0cost_ready_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_ready_tag_end_of_line;
       if slice0shift_tag_valid then
-        slice0cost_read_column <= 0 when slice0shift_tag_row_start else (slice0cost_read_column + 1) mod 64;
+        if slice0shift_tag_row_start then
+          slice0cost_read_column <= 0;
+        else
+          slice0cost_read_column <= (slice0cost_read_column + 1) mod 64;
+        end if;
       end if;
       if slice0cost_pixels_first_tag_valid then
-        slice0cost_change_column <= 0 when slice0cost_pixels_first_tag_row_start else (slice0cost_change_column + 1)
-          mod 64;
+        if slice0cost_pixels_first_tag_row_start then
+          slice0cost_change_column <= 0;
+        else
+          slice0cost_change_column <= (slice0cost_change_column + 1) mod 64;
+        end if;
       end if;
       if slice0cost_ready_tag_valid then
         slice0cost_write_words_0 <= (slice0cost_column_0_1_value * 128) + slice0cost_column_0_0_value +
@@ -2192,9 +2663,12 @@ begin
       end if;
       -- slice0window
       if slice0cost_tag_valid then
-        slice0window_ring_read_address <= 0 when slice0window_ring_read_address = 4 else
-          (slice0window_ring_read_address + 1) mod 8;
         slice0window_ring_write_address <= slice0window_ring_read_address;
+        if slice0window_ring_read_address = 4 then
+          slice0window_ring_read_address <= 0;
+        else
+          slice0window_ring_read_address <= (slice0window_ring_read_address + 1) mod 8;
+        end if;
       end if;
       if slice0window_entering_tag_leaves_window then
         slice0window_change_0_0_choice := to_integer(slice0window_leaving_0(6 downto 0));
@@ -2259,12 +2733,36 @@ begin
       slice0window_tag_valid <= slice0window_change_tag_valid;
       slice0window_tag_output_column <= slice0window_centre_output_column_1;
       slice0window_tag_first_column <= slice0window_centre_first_column_1;
-      slice0window_sum_0_0_choice := 0 when slice0window_change_tag_row_start else slice0window_sum_0_0;
-      slice0window_sum_0_1_choice := 0 when slice0window_change_tag_row_start else slice0window_sum_0_1;
-      slice0window_sum_0_2_choice := 0 when slice0window_change_tag_row_start else slice0window_sum_0_2;
-      slice0window_sum_0_3_choice := 0 when slice0window_change_tag_row_start else slice0window_sum_0_3;
-      slice0window_sum_0_4_choice := 0 when slice0window_change_tag_row_start else slice0window_sum_0_4;
-      slice0window_sum_0_5_choice := 0 when slice0window_change_tag_row_start else slice0window_sum_0_5;
+      if slice0window_change_tag_row_start then
+        slice0window_sum_0_0_choice := 0;
+      else
+        slice0window_sum_0_0_choice := slice0window_sum_0_0;
+      end if;
+      if slice0window_change_tag_row_start then
+        slice0window_sum_0_1_choice := 0;
+      else
+        slice0window_sum_0_1_choice := slice0window_sum_0_1;
+      end if;
+      if slice0window_change_tag_row_start then
+        slice0window_sum_0_2_choice := 0;
+      else
+        slice0window_sum_0_2_choice := slice0window_sum_0_2;
+      end if;
+      if slice0window_change_tag_row_start then
+        slice0window_sum_0_3_choice := 0;
+      else
+        slice0window_sum_0_3_choice := slice0window_sum_0_3;
+      end if;
+      if slice0window_change_tag_row_start then
+        slice0window_sum_0_4_choice := 0;
+      else
+        slice0window_sum_0_4_choice := slice0window_sum_0_4;
+      end if;
+      if slice0window_change_tag_row_start then
+        slice0window_sum_0_5_choice := 0;
+      else
+        slice0window_sum_0_5_choice := slice0window_sum_0_5;
+      end if;
       if slice0window_change_tag_valid then
         slice0window_sum_0_0 <= (slice0window_sum_0_0_choice + slice0window_change_0_0) mod 512;
         slice0window_sum_0_1 <= (slice0window_sum_0_1_choice + slice0window_change_0_1) mod 512;
@@ -2285,104 +2783,238 @@ begin
         slice0window_tag_end_of_line <= slice1window_centre_end_of_line_0;
       end if;
       -- slice0mask
-      slice0mask_inside_0_choice := (not (((slice0mask_column / 2) mod 2) = 1)) or (not ((slice0mask_column mod 2) =
-        1)) when (slice0mask_end_value mod 2) = 1 else not (((slice0mask_column / 2) mod 2) = 1);
-      slice0mask_inside_0_choice_2 := slice0mask_inside_0_choice when ((slice0mask_end_value / 2) mod 2) = 1 else
-        ((slice0mask_end_value mod 2) = 1) and ((slice0mask_column mod 4) = 0);
+      if (slice0mask_end_value mod 2) = 1 then
+        slice0mask_inside_0_choice := (not (((slice0mask_column / 2) mod 2) = 1)) or (not ((slice0mask_column mod 2) =
+          1));
+      else
+        slice0mask_inside_0_choice := not (((slice0mask_column / 2) mod 2) = 1);
+      end if;
+      if ((slice0mask_end_value / 2) mod 2) = 1 then
+        slice0mask_inside_0_choice_2 := slice0mask_inside_0_choice;
+      else
+        slice0mask_inside_0_choice_2 := ((slice0mask_end_value mod 2) = 1) and ((slice0mask_column mod 4) = 0);
+      end if;
       slice0mask_inside_0_value := ((slice0mask_column / 4) mod 2) = 1;
-      slice0mask_inside_0_choice_3 := (not (((slice0mask_end_value / 4) mod 2) = 1)) and slice0mask_inside_0_value when
-        slice0mask_inside_0_choice_2 else (not (((slice0mask_end_value / 4) mod 2) = 1)) or slice0mask_inside_0_value;
+      if slice0mask_inside_0_choice_2 then
+        slice0mask_inside_0_choice_3 := (not (((slice0mask_end_value / 4) mod 2) = 1)) and slice0mask_inside_0_value;
+      else
+        slice0mask_inside_0_choice_3 := (not (((slice0mask_end_value / 4) mod 2) = 1)) or slice0mask_inside_0_value;
+      end if;
       slice0mask_inside_0_value_2 := ((slice0mask_column / 8) mod 2) = 1;
-      slice0mask_inside_0_choice_4 := (not (((slice0mask_end_value / 8) mod 2) = 1)) or slice0mask_inside_0_value_2
-        when slice0mask_inside_0_choice_3 else (not (((slice0mask_end_value / 8) mod 2) = 1)) and
-        slice0mask_inside_0_value_2;
+      if slice0mask_inside_0_choice_3 then
+        slice0mask_inside_0_choice_4 := (not (((slice0mask_end_value / 8) mod 2) = 1)) or slice0mask_inside_0_value_2;
+      else
+        slice0mask_inside_0_choice_4 := (not (((slice0mask_end_value / 8) mod 2) = 1)) and slice0mask_inside_0_value_2;
+      end if;
       slice0mask_inside_0_value_3 := ((slice0mask_column / 16) mod 2) = 1;
-      slice0mask_inside_0_choice_5 := (not (((slice0mask_end_value / 16) mod 2) = 1)) or slice0mask_inside_0_value_3
-        when slice0mask_inside_0_choice_4 else (not (((slice0mask_end_value / 16) mod 2) = 1)) and
-        slice0mask_inside_0_value_3;
+      if slice0mask_inside_0_choice_4 then
+        slice0mask_inside_0_choice_5 := (not (((slice0mask_end_value / 16) mod 2) = 1)) or slice0mask_inside_0_value_3;
+      else
+        slice0mask_inside_0_choice_5 := (not (((slice0mask_end_value / 16) mod 2) = 1)) and slice0mask_inside_0_value_3;
+      end if;
       slice0mask_inside_0_differs := slice0mask_column /= 0;
-      slice0mask_inside_0_choice_6 := slice0mask_inside_0_differs and ((slice0mask_end_value / 32) = 1) and (not
-        ((slice0mask_column / 32) = 1)) when slice0mask_inside_0_choice_5 else slice0mask_inside_0_differs and
-        (((slice0mask_end_value / 32) = 1) or (not ((slice0mask_column / 32) = 1)));
+      if slice0mask_inside_0_choice_5 then
+        slice0mask_inside_0_choice_6 := slice0mask_inside_0_differs and ((slice0mask_end_value / 32) = 1) and (not
+          ((slice0mask_column / 32) = 1));
+      else
+        slice0mask_inside_0_choice_6 := slice0mask_inside_0_differs and (((slice0mask_end_value / 32) = 1) or (not
+          ((slice0mask_column / 32) = 1)));
+      end if;
       slice0mask_inside_0_all := (not slice0window_change_tag_valid) and slice0mask_inside_0;
-      slice0mask_inside_0_choice_7 := slice0mask_inside_0_all when slice0window_centre_first_column_1 else
-        slice0window_change_tag_valid or slice0mask_inside_0;
-      slice0mask_inside_1_choice := slice0mask_inside_0 when slice0window_change_tag_valid else slice0mask_inside_1;
-      slice0mask_inside_2_choice := slice0mask_inside_1 when slice0window_change_tag_valid else slice0mask_inside_2;
-      slice0mask_inside_3_choice := slice0mask_inside_2 when slice0window_change_tag_valid else slice0mask_inside_3;
-      slice0mask_inside_4_choice := slice0mask_inside_3 when slice0window_change_tag_valid else slice0mask_inside_4;
-      slice0mask_inside_5_choice := slice0mask_inside_4 when slice0window_change_tag_valid else slice0mask_inside_5;
-      slice0mask_inside_0 <= slice0mask_inside_0_choice_7 when slice0mask_inside_0_choice_6 else
-        slice0mask_inside_0_all;
-      slice0mask_inside_1 <= (not slice0window_change_tag_valid) and slice0mask_inside_1 when
-        slice0window_centre_first_column_1 else slice0mask_inside_1_choice;
-      slice0mask_inside_2 <= (not slice0window_change_tag_valid) and slice0mask_inside_2 when
-        slice0window_centre_first_column_1 else slice0mask_inside_2_choice;
-      slice0mask_inside_3 <= (not slice0window_change_tag_valid) and slice0mask_inside_3 when
-        slice0window_centre_first_column_1 else slice0mask_inside_3_choice;
-      slice0mask_inside_4 <= (not slice0window_change_tag_valid) and slice0mask_inside_4 when
-        slice0window_centre_first_column_1 else slice0mask_inside_4_choice;
-      slice0mask_inside_5 <= (not slice0window_change_tag_valid) and slice0mask_inside_5 when
-        slice0window_centre_first_column_1 else slice0mask_inside_5_choice;
+      if slice0window_centre_first_column_1 then
+        slice0mask_inside_0_choice_7 := slice0mask_inside_0_all;
+      else
+        slice0mask_inside_0_choice_7 := slice0window_change_tag_valid or slice0mask_inside_0;
+      end if;
+      if slice0window_change_tag_valid then
+        slice0mask_inside_1_choice := slice0mask_inside_0;
+      else
+        slice0mask_inside_1_choice := slice0mask_inside_1;
+      end if;
+      if slice0window_change_tag_valid then
+        slice0mask_inside_2_choice := slice0mask_inside_1;
+      else
+        slice0mask_inside_2_choice := slice0mask_inside_2;
+      end if;
+      if slice0window_change_tag_valid then
+        slice0mask_inside_3_choice := slice0mask_inside_2;
+      else
+        slice0mask_inside_3_choice := slice0mask_inside_3;
+      end if;
+      if slice0window_change_tag_valid then
+        slice0mask_inside_4_choice := slice0mask_inside_3;
+      else
+        slice0mask_inside_4_choice := slice0mask_inside_4;
+      end if;
+      if slice0window_change_tag_valid then
+        slice0mask_inside_5_choice := slice0mask_inside_4;
+      else
+        slice0mask_inside_5_choice := slice0mask_inside_5;
+      end if;
       slice0mask_left_out <= slice0mask_inside_5;
       slice0mask_end_value <= (size_windows_last_column + 63) mod 64;
+      if slice0mask_inside_0_choice_6 then
+        slice0mask_inside_0 <= slice0mask_inside_0_choice_7;
+      else
+        slice0mask_inside_0 <= slice0mask_inside_0_all;
+      end if;
+      if slice0window_centre_first_column_1 then
+        slice0mask_inside_1 <= (not slice0window_change_tag_valid) and slice0mask_inside_1;
+        slice0mask_inside_2 <= (not slice0window_change_tag_valid) and slice0mask_inside_2;
+        slice0mask_inside_3 <= (not slice0window_change_tag_valid) and slice0mask_inside_3;
+        slice0mask_inside_4 <= (not slice0window_change_tag_valid) and slice0mask_inside_4;
+        slice0mask_inside_5 <= (not slice0window_change_tag_valid) and slice0mask_inside_5;
+      else
+        slice0mask_inside_1 <= slice0mask_inside_1_choice;
+        slice0mask_inside_2 <= slice0mask_inside_2_choice;
+        slice0mask_inside_3 <= slice0mask_inside_3_choice;
+        slice0mask_inside_4 <= slice0mask_inside_4_choice;
+        slice0mask_inside_5 <= slice0mask_inside_5_choice;
+      end if;
       if slice0window_change_tag_valid then
-        slice0mask_column <= 0 when slice0window_centre_first_column_1 else (slice0mask_column + 1) mod 64;
+        if slice0window_centre_first_column_1 then
+          slice0mask_column <= 0;
+        else
+          slice0mask_column <= (slice0mask_column + 1) mod 64;
+        end if;
       end if;
       -- slice0other
       slice0other_cost_0_1_all := slice0window_tag_output_column and slice0window_tag_first_column;
-      slice0other_cost_0_1_choice := slice0window_tag_output_column when (slice0window_sum_0_1 - slice0other_cost_0_0)
-        < 0 else slice0other_cost_0_1_all;
+      if (slice0window_sum_0_1 - slice0other_cost_0_0) < 0 then
+        slice0other_cost_0_1_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_1_choice := slice0other_cost_0_1_all;
+      end if;
       slice0other_cost_0_1_all_2 := other_26 and slice0mask_inside_1 and slice0other_cost_0_1_choice;
-      slice0other_cost_0_1_choice_2 := 511 when slice0window_tag_first_column else slice0other_cost_0_0;
-      slice0other_cost_0_2_choice := slice0window_tag_output_column when (slice0window_sum_0_2 - slice0other_cost_0_1)
-        < 0 else slice0other_cost_0_1_all;
+      if slice0window_tag_first_column then
+        slice0other_cost_0_1_choice_2 := 511;
+      else
+        slice0other_cost_0_1_choice_2 := slice0other_cost_0_0;
+      end if;
+      if (slice0window_sum_0_2 - slice0other_cost_0_1) < 0 then
+        slice0other_cost_0_2_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_2_choice := slice0other_cost_0_1_all;
+      end if;
       slice0other_cost_0_2_all := other_25 and slice0mask_inside_2 and slice0other_cost_0_2_choice;
-      slice0other_cost_0_2_choice_2 := 511 when slice0window_tag_first_column else slice0other_cost_0_1;
-      slice0other_cost_0_3_choice := slice0window_tag_output_column when (slice0window_sum_0_3 - slice0other_cost_0_2)
-        < 0 else slice0other_cost_0_1_all;
+      if slice0window_tag_first_column then
+        slice0other_cost_0_2_choice_2 := 511;
+      else
+        slice0other_cost_0_2_choice_2 := slice0other_cost_0_1;
+      end if;
+      if (slice0window_sum_0_3 - slice0other_cost_0_2) < 0 then
+        slice0other_cost_0_3_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_3_choice := slice0other_cost_0_1_all;
+      end if;
       slice0other_cost_0_3_all := other_24 and slice0mask_inside_3 and slice0other_cost_0_3_choice;
-      slice0other_cost_0_3_choice_2 := 511 when slice0window_tag_first_column else slice0other_cost_0_2;
-      slice0other_cost_0_4_choice := slice0window_tag_output_column when (slice0window_sum_0_4 - slice0other_cost_0_3)
-        < 0 else slice0other_cost_0_1_all;
+      if slice0window_tag_first_column then
+        slice0other_cost_0_3_choice_2 := 511;
+      else
+        slice0other_cost_0_3_choice_2 := slice0other_cost_0_2;
+      end if;
+      if (slice0window_sum_0_4 - slice0other_cost_0_3) < 0 then
+        slice0other_cost_0_4_choice := slice0window_tag_output_column;
+      else
+        slice0other_cost_0_4_choice := slice0other_cost_0_1_all;
+      end if;
       slice0other_cost_0_4_all := other_23 and slice0mask_inside_4 and slice0other_cost_0_4_choice;
-      slice0other_cost_0_4_choice_2 := 511 when slice0window_tag_first_column else slice0other_cost_0_3;
+      if slice0window_tag_first_column then
+        slice0other_cost_0_4_choice_2 := 511;
+      else
+        slice0other_cost_0_4_choice_2 := slice0other_cost_0_3;
+      end if;
       slice0other_cost_0_5_all := other_22 and slice0mask_inside_5 and slice0window_tag_output_column and
         (((slice0window_sum_0_5 - slice0other_cost_0_4) < 0) or slice0window_tag_first_column);
-      slice0other_cost_0_5_choice := 511 when slice0window_tag_first_column else slice0other_cost_0_4;
+      if slice0window_tag_first_column then
+        slice0other_cost_0_5_choice := 511;
+      else
+        slice0other_cost_0_5_choice := slice0other_cost_0_4;
+      end if;
       if slice0window_tag_valid then
-        slice0other_cost_0_0 <= slice0window_sum_0_0 when slice0window_tag_output_column and other_27 and
-          slice0mask_inside_0 else 511;
-        slice0other_cost_0_1 <= slice0window_sum_0_1 when slice0other_cost_0_1_all_2 else slice0other_cost_0_1_choice_2;
-        slice0other_cost_0_2 <= slice0window_sum_0_2 when slice0other_cost_0_2_all else slice0other_cost_0_2_choice_2;
-        slice0other_cost_0_3 <= slice0window_sum_0_3 when slice0other_cost_0_3_all else slice0other_cost_0_3_choice_2;
-        slice0other_cost_0_4 <= slice0window_sum_0_4 when slice0other_cost_0_4_all else slice0other_cost_0_4_choice_2;
-        slice0other_cost_0_5 <= slice0window_sum_0_5 when slice0other_cost_0_5_all else slice0other_cost_0_5_choice;
         slice0other_winner_0_1 <= slice0other_cost_0_1_all_2;
-        slice0other_winner_0_2 <= 2 when slice0other_cost_0_2_all else as_number(slice0other_winner_0_1);
-        slice0other_winner_0_3 <= 3 when slice0other_cost_0_3_all else slice0other_winner_0_2;
-        slice0other_winner_0_4 <= 4 when slice0other_cost_0_4_all else slice0other_winner_0_3;
-        slice0other_winner_0_5 <= 5 when slice0other_cost_0_5_all else slice0other_winner_0_4;
+        if slice0window_tag_output_column and other_27 and slice0mask_inside_0 then
+          slice0other_cost_0_0 <= slice0window_sum_0_0;
+        else
+          slice0other_cost_0_0 <= 511;
+        end if;
+        if slice0other_cost_0_1_all_2 then
+          slice0other_cost_0_1 <= slice0window_sum_0_1;
+        else
+          slice0other_cost_0_1 <= slice0other_cost_0_1_choice_2;
+        end if;
+        if slice0other_cost_0_2_all then
+          slice0other_cost_0_2 <= slice0window_sum_0_2;
+          slice0other_winner_0_2 <= 2;
+        else
+          slice0other_cost_0_2 <= slice0other_cost_0_2_choice_2;
+          slice0other_winner_0_2 <= as_number(slice0other_winner_0_1);
+        end if;
+        if slice0other_cost_0_3_all then
+          slice0other_cost_0_3 <= slice0window_sum_0_3;
+          slice0other_winner_0_3 <= 3;
+        else
+          slice0other_cost_0_3 <= slice0other_cost_0_3_choice_2;
+          slice0other_winner_0_3 <= slice0other_winner_0_2;
+        end if;
+        if slice0other_cost_0_4_all then
+          slice0other_cost_0_4 <= slice0window_sum_0_4;
+          slice0other_winner_0_4 <= 4;
+        else
+          slice0other_cost_0_4 <= slice0other_cost_0_4_choice_2;
+          slice0other_winner_0_4 <= slice0other_winner_0_3;
+        end if;
+        if slice0other_cost_0_5_all then
+          slice0other_cost_0_5 <= slice0window_sum_0_5;
+          slice0other_winner_0_5 <= 5;
+        else
+          slice0other_cost_0_5 <= slice0other_cost_0_5_choice;
+          slice0other_winner_0_5 <= slice0other_winner_0_4;
+        end if;
       end if;
       slice0other_cost_out_0 <= slice0other_cost_0_5;
       slice0other_winner_out_0 <= slice0other_winner_0_5;
       -- slice0winner1
-      slice0winner1_held_0_0_choice := 511 when (not other_27) or (not slice0mask_inside_0) else 0;
+      if (not other_27) or (not slice0mask_inside_0) then
+        slice0winner1_held_0_0_choice := 511;
+      else
+        slice0winner1_held_0_0_choice := 0;
+      end if;
       slice0winner1_held_0_0_any := to_integer(((to_unsigned(slice0window_sum_0_0, 9)) or
         (to_unsigned(slice0winner1_held_0_0_choice, 9))));
-      slice0winner1_held_0_1_choice := 511 when (not other_26) or (not slice0mask_inside_1) else 0;
+      if (not other_26) or (not slice0mask_inside_1) then
+        slice0winner1_held_0_1_choice := 511;
+      else
+        slice0winner1_held_0_1_choice := 0;
+      end if;
       slice0winner1_held_0_1_any := to_integer(((to_unsigned(slice0window_sum_0_1, 9)) or
         (to_unsigned(slice0winner1_held_0_1_choice, 9))));
-      slice0winner1_held_0_2_choice := 511 when (not other_25) or (not slice0mask_inside_2) else 0;
+      if (not other_25) or (not slice0mask_inside_2) then
+        slice0winner1_held_0_2_choice := 511;
+      else
+        slice0winner1_held_0_2_choice := 0;
+      end if;
       slice0winner1_held_0_2_any := to_integer(((to_unsigned(slice0window_sum_0_2, 9)) or
         (to_unsigned(slice0winner1_held_0_2_choice, 9))));
-      slice0winner1_held_0_3_choice := 511 when (not other_24) or (not slice0mask_inside_3) else 0;
+      if (not other_24) or (not slice0mask_inside_3) then
+        slice0winner1_held_0_3_choice := 511;
+      else
+        slice0winner1_held_0_3_choice := 0;
+      end if;
       slice0winner1_held_0_3_any := to_integer(((to_unsigned(slice0window_sum_0_3, 9)) or
         (to_unsigned(slice0winner1_held_0_3_choice, 9))));
-      slice0winner1_held_0_4_choice := 511 when (not other_23) or (not slice0mask_inside_4) else 0;
+      if (not other_23) or (not slice0mask_inside_4) then
+        slice0winner1_held_0_4_choice := 511;
+      else
+        slice0winner1_held_0_4_choice := 0;
+      end if;
       slice0winner1_held_0_4_any := to_integer(((to_unsigned(slice0window_sum_0_4, 9)) or
         (to_unsigned(slice0winner1_held_0_4_choice, 9))));
-      slice0winner1_held_0_5_choice := 511 when (not other_22) or (not slice0mask_inside_5) else 0;
+      if (not other_22) or (not slice0mask_inside_5) then
+        slice0winner1_held_0_5_choice := 511;
+      else
+        slice0winner1_held_0_5_choice := 0;
+      end if;
       slice0winner1_held_0_5_any := to_integer(((to_unsigned(slice0window_sum_0_5, 9)) or
         (to_unsigned(slice0winner1_held_0_5_choice, 9))));
       slice0winner1_best_cost_0_0_is_less := (slice0winner1_held_0_1_any - slice0winner1_held_0_0_any) < 0;
@@ -2394,21 +3026,7 @@ begin
       slice0winner1_held_0_3 <= slice0winner1_held_0_3_any;
       slice0winner1_held_0_4 <= slice0winner1_held_0_4_any;
       slice0winner1_held_0_5 <= slice0winner1_held_0_5_any;
-      slice0winner1_best_cost_0_0 <= slice0winner1_held_0_1_any when slice0winner1_best_cost_0_0_is_less else
-        slice0winner1_held_0_0_any;
-      slice0winner1_best_cost_0_1 <= slice0winner1_held_0_3_any when slice0winner1_best_cost_0_1_is_less else
-        slice0winner1_held_0_2_any;
-      slice0winner1_best_cost_0_2 <= slice0winner1_held_0_5_any when slice0winner1_best_cost_0_2_is_less else
-        slice0winner1_held_0_4_any;
       slice0winner1_best_index_0_0 <= slice0winner1_best_cost_0_0_is_less;
-      slice0winner1_best_index_0_1 <= 3 when slice0winner1_best_cost_0_1_is_less else 2;
-      slice0winner1_best_index_0_2 <= 5 when slice0winner1_best_cost_0_2_is_less else 4;
-      slice0winner1_best_below_0_0 <= slice0winner1_held_0_0_any when slice0winner1_best_cost_0_0_is_less else 0;
-      slice0winner1_best_below_0_1 <= slice0winner1_held_0_2_any when slice0winner1_best_cost_0_1_is_less else 0;
-      slice0winner1_best_below_0_2 <= slice0winner1_held_0_4_any when slice0winner1_best_cost_0_2_is_less else 0;
-      slice0winner1_best_above_0_0 <= 0 when slice0winner1_best_cost_0_0_is_less else slice0winner1_held_0_1_any;
-      slice0winner1_best_above_0_1 <= 0 when slice0winner1_best_cost_0_1_is_less else slice0winner1_held_0_3_any;
-      slice0winner1_best_above_0_2 <= 0 when slice0winner1_best_cost_0_2_is_less else slice0winner1_held_0_5_any;
       slice0winner1_best_late_cost_0_0 <= slice0winner1_best_cost_0_0;
       slice0winner1_best_late_cost_0_1 <= slice0winner1_best_cost_0_1;
       slice0winner1_best_late_cost_0_2 <= slice0winner1_best_cost_0_2;
@@ -2423,31 +3041,72 @@ begin
       slice0winner1_tag_first_column <= slice1window_centre_first_column_1;
       slice0winner1_tag_start_of_frame <= slice0window_tag_start_of_frame;
       slice0winner1_tag_end_of_line <= slice0window_tag_end_of_line;
+      if slice0winner1_best_cost_0_0_is_less then
+        slice0winner1_best_cost_0_0 <= slice0winner1_held_0_1_any;
+        slice0winner1_best_below_0_0 <= slice0winner1_held_0_0_any;
+        slice0winner1_best_above_0_0 <= 0;
+      else
+        slice0winner1_best_cost_0_0 <= slice0winner1_held_0_0_any;
+        slice0winner1_best_below_0_0 <= 0;
+        slice0winner1_best_above_0_0 <= slice0winner1_held_0_1_any;
+      end if;
+      if slice0winner1_best_cost_0_1_is_less then
+        slice0winner1_best_cost_0_1 <= slice0winner1_held_0_3_any;
+        slice0winner1_best_index_0_1 <= 3;
+        slice0winner1_best_below_0_1 <= slice0winner1_held_0_2_any;
+        slice0winner1_best_above_0_1 <= 0;
+      else
+        slice0winner1_best_cost_0_1 <= slice0winner1_held_0_2_any;
+        slice0winner1_best_index_0_1 <= 2;
+        slice0winner1_best_below_0_1 <= 0;
+        slice0winner1_best_above_0_1 <= slice0winner1_held_0_3_any;
+      end if;
+      if slice0winner1_best_cost_0_2_is_less then
+        slice0winner1_best_cost_0_2 <= slice0winner1_held_0_5_any;
+        slice0winner1_best_index_0_2 <= 5;
+        slice0winner1_best_below_0_2 <= slice0winner1_held_0_4_any;
+        slice0winner1_best_above_0_2 <= 0;
+      else
+        slice0winner1_best_cost_0_2 <= slice0winner1_held_0_4_any;
+        slice0winner1_best_index_0_2 <= 4;
+        slice0winner1_best_below_0_2 <= 0;
+        slice0winner1_best_above_0_2 <= slice0winner1_held_0_5_any;
+      end if;
       -- slice0winner2
       slice0winner2_best_cost_0_0_is_less := (slice0winner1_best_cost_0_1 - slice0winner1_best_cost_0_0) < 0;
       slice0winner2_best_below_0_0_is_equal := slice0winner1_best_index_0_1 = 2;
-      slice0winner2_best_below_0_0_choice := slice0winner1_held_0_1 when slice0winner2_best_below_0_0_is_equal else
-        slice0winner1_best_below_0_1;
-      slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2 when slice0winner1_best_index_0_0 else
-        slice0winner1_best_above_0_0;
-      slice0winner2_best_second_0_0_choice := 511 when slice0winner2_best_place_0_0 else
-        slice0winner1_best_late_cost_0_1;
-      slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_but_first_0_1 when slice0winner2_best_at_end_0_0
-        else slice0winner2_best_second_0_0_choice;
-      slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_late_cost_0_0 when slice0winner2_best_place_0_0 else
-        511;
-      slice0winner2_best_second_0_0_choice_4 := slice0winner1_best_but_last_0_0 when slice0winner2_best_at_start_0_0
-        else slice0winner2_best_second_0_0_choice_3;
-      slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_cost_0_0;
-      slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1 when slice0winner2_best_cost_0_0_is_less else
-        as_number(slice0winner1_best_index_0_0);
+      if slice0winner2_best_below_0_0_is_equal then
+        slice0winner2_best_below_0_0_choice := slice0winner1_held_0_1;
+      else
+        slice0winner2_best_below_0_0_choice := slice0winner1_best_below_0_1;
+      end if;
+      if slice0winner1_best_index_0_0 then
+        slice0winner2_best_above_0_0_choice := slice0winner1_held_0_2;
+      else
+        slice0winner2_best_above_0_0_choice := slice0winner1_best_above_0_0;
+      end if;
+      if slice0winner2_best_place_0_0 then
+        slice0winner2_best_second_0_0_choice := 511;
+      else
+        slice0winner2_best_second_0_0_choice := slice0winner1_best_late_cost_0_1;
+      end if;
+      if slice0winner2_best_at_end_0_0 then
+        slice0winner2_best_second_0_0_choice_2 := slice0winner1_best_but_first_0_1;
+      else
+        slice0winner2_best_second_0_0_choice_2 := slice0winner2_best_second_0_0_choice;
+      end if;
+      if slice0winner2_best_place_0_0 then
+        slice0winner2_best_second_0_0_choice_3 := slice0winner1_best_late_cost_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_3 := 511;
+      end if;
+      if slice0winner2_best_at_start_0_0 then
+        slice0winner2_best_second_0_0_choice_4 := slice0winner1_best_but_last_0_0;
+      else
+        slice0winner2_best_second_0_0_choice_4 := slice0winner2_best_second_0_0_choice_3;
+      end if;
       slice0winner2_best_index_0_1 <= slice0winner1_best_index_0_2;
-      slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice when slice0winner2_best_cost_0_0_is_less else
-        slice0winner1_best_below_0_0;
       slice0winner2_best_below_0_1 <= slice0winner1_best_below_0_2;
-      slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1 when slice0winner2_best_cost_0_0_is_less else
-        slice0winner2_best_above_0_0_choice;
       slice0winner2_best_above_0_1 <= slice0winner1_best_above_0_2;
       slice0winner2_best_first_0_1 <= slice0winner1_held_0_4;
       slice0winner2_best_last_0_0 <= slice0winner1_held_0_3;
@@ -2458,41 +3117,67 @@ begin
         slice0winner1_best_cost_0_0) >= 0);
       slice0winner2_best_late_cost_0_0 <= slice0winner2_best_cost_0_0;
       slice0winner2_best_late_cost_0_1 <= slice0winner1_best_late_cost_0_2;
-      slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_2 when
-        (slice0winner2_best_second_0_0_choice_2 - slice0winner2_best_second_0_0_choice_4) < 0 else
-        slice0winner2_best_second_0_0_choice_4;
       slice0winner2_best_but_first_0_1 <= slice0winner1_best_but_first_0_2;
-      slice0winner2_best_but_last_0_0 <= slice0winner1_best_but_last_0_1 when (slice0winner1_best_but_last_0_1 -
-        slice0winner1_best_late_cost_0_0) < 0 else slice0winner1_best_late_cost_0_0;
       slice0winner2_best_but_last_0_1 <= slice0winner1_best_but_last_0_2;
       slice0winner2_tag_valid <= slice0winner1_tag_valid;
       slice0winner2_tag_map_column <= slice0winner1_tag_map_column;
       slice0winner2_tag_output_column <= slice0winner1_tag_output_column;
       slice0winner2_tag_start_of_frame <= slice0winner1_tag_start_of_frame;
       slice0winner2_tag_end_of_line <= slice0winner1_tag_end_of_line;
+      if slice0winner2_best_cost_0_0_is_less then
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_1;
+        slice0winner2_best_index_0_0 <= slice0winner1_best_index_0_1;
+        slice0winner2_best_below_0_0 <= slice0winner2_best_below_0_0_choice;
+        slice0winner2_best_above_0_0 <= slice0winner1_best_above_0_1;
+      else
+        slice0winner2_best_cost_0_0 <= slice0winner1_best_cost_0_0;
+        slice0winner2_best_index_0_0 <= as_number(slice0winner1_best_index_0_0);
+        slice0winner2_best_below_0_0 <= slice0winner1_best_below_0_0;
+        slice0winner2_best_above_0_0 <= slice0winner2_best_above_0_0_choice;
+      end if;
+      if (slice0winner2_best_second_0_0_choice_2 - slice0winner2_best_second_0_0_choice_4) < 0 then
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_2;
+      else
+        slice0winner2_best_second_0_0 <= slice0winner2_best_second_0_0_choice_4;
+      end if;
+      if (slice0winner1_best_but_last_0_1 - slice0winner1_best_late_cost_0_0) < 0 then
+        slice0winner2_best_but_last_0_0 <= slice0winner1_best_but_last_0_1;
+      else
+        slice0winner2_best_but_last_0_0 <= slice0winner1_best_late_cost_0_0;
+      end if;
       -- slice0winner3
       slice0winner3_best_cost_0_0_is_less := (slice0winner1_best_late_cost_0_2 - slice0winner2_best_cost_0_0) < 0;
-      slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0 when ((slice0winner2_best_index_0_1 / 4) = 1)
-        and (not ((slice0winner2_best_index_0_1 mod 2) = 1)) else slice0winner2_best_below_0_1;
+      if ((slice0winner2_best_index_0_1 / 4) = 1) and (not ((slice0winner2_best_index_0_1 mod 2) = 1)) then
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_last_0_0;
+      else
+        slice0winner3_best_below_0_0_choice := slice0winner2_best_below_0_1;
+      end if;
       slice0winner3_best_above_0_0_is_equal := slice0winner2_best_index_0_0 = 3;
-      slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1 when slice0winner3_best_above_0_0_is_equal
-        else slice0winner2_best_above_0_0;
-      slice0winner3_best_second_0_0_choice := 511 when slice0winner3_best_place_0_0 else
-        slice0winner2_best_late_cost_0_1;
-      slice0winner3_best_second_0_0_choice_2 := slice0winner2_best_but_first_0_1 when slice0winner3_best_at_end_0_0
-        else slice0winner3_best_second_0_0_choice;
-      slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_late_cost_0_0 when slice0winner3_best_place_0_0 else
-        slice0winner2_best_second_0_0;
-      slice0winner3_best_second_0_0_choice_4 := slice0winner2_best_but_last_0_0 when slice0winner3_best_at_start_0_0
-        else slice0winner3_best_second_0_0_choice_3;
-      slice0winner3_best_cost_0_0 <= slice0winner1_best_late_cost_0_2 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_cost_0_0;
-      slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_index_0_0;
-      slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice when slice0winner3_best_cost_0_0_is_less else
-        slice0winner2_best_below_0_0;
-      slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1 when slice0winner3_best_cost_0_0_is_less else
-        slice0winner3_best_above_0_0_choice;
+      if slice0winner3_best_above_0_0_is_equal then
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_first_0_1;
+      else
+        slice0winner3_best_above_0_0_choice := slice0winner2_best_above_0_0;
+      end if;
+      if slice0winner3_best_place_0_0 then
+        slice0winner3_best_second_0_0_choice := 511;
+      else
+        slice0winner3_best_second_0_0_choice := slice0winner2_best_late_cost_0_1;
+      end if;
+      if slice0winner3_best_at_end_0_0 then
+        slice0winner3_best_second_0_0_choice_2 := slice0winner2_best_but_first_0_1;
+      else
+        slice0winner3_best_second_0_0_choice_2 := slice0winner3_best_second_0_0_choice;
+      end if;
+      if slice0winner3_best_place_0_0 then
+        slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_late_cost_0_0;
+      else
+        slice0winner3_best_second_0_0_choice_3 := slice0winner2_best_second_0_0;
+      end if;
+      if slice0winner3_best_at_start_0_0 then
+        slice0winner3_best_second_0_0_choice_4 := slice0winner2_best_but_last_0_0;
+      else
+        slice0winner3_best_second_0_0_choice_4 := slice0winner3_best_second_0_0_choice_3;
+      end if;
       slice0winner3_best_last_0_0 <= slice0winner2_best_last_0_1;
       slice0winner3_best_place_0_0 <= slice0winner3_best_cost_0_0_is_less;
       slice0winner3_best_at_start_0_0 <= slice0winner3_best_cost_0_0_is_less and ((slice0winner2_best_index_0_1 / 4) =
@@ -2500,16 +3185,32 @@ begin
       slice0winner3_best_at_end_0_0 <= ((slice0winner1_best_late_cost_0_2 - slice0winner2_best_cost_0_0) >= 0) and
         slice0winner3_best_above_0_0_is_equal;
       slice0winner3_best_late_cost_0_0 <= slice0winner3_best_cost_0_0;
-      slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_2 when
-        (slice0winner3_best_second_0_0_choice_2 - slice0winner3_best_second_0_0_choice_4) < 0 else
-        slice0winner3_best_second_0_0_choice_4;
-      slice0winner3_best_but_last_0_0 <= slice0winner2_best_but_last_0_1 when (slice0winner2_best_but_last_0_1 -
-        slice0winner2_best_late_cost_0_0) < 0 else slice0winner2_best_late_cost_0_0;
       slice0winner3_tag_valid <= slice0winner2_tag_valid;
       slice0winner3_tag_map_column <= slice0winner2_tag_map_column;
       slice0winner3_tag_output_column <= slice0winner2_tag_output_column;
       slice0winner3_tag_start_of_frame <= slice0winner2_tag_start_of_frame;
       slice0winner3_tag_end_of_line <= slice0winner2_tag_end_of_line;
+      if slice0winner3_best_cost_0_0_is_less then
+        slice0winner3_best_cost_0_0 <= slice0winner1_best_late_cost_0_2;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_1;
+        slice0winner3_best_below_0_0 <= slice0winner3_best_below_0_0_choice;
+        slice0winner3_best_above_0_0 <= slice0winner2_best_above_0_1;
+      else
+        slice0winner3_best_cost_0_0 <= slice0winner2_best_cost_0_0;
+        slice0winner3_best_index_0_0 <= slice0winner2_best_index_0_0;
+        slice0winner3_best_below_0_0 <= slice0winner2_best_below_0_0;
+        slice0winner3_best_above_0_0 <= slice0winner3_best_above_0_0_choice;
+      end if;
+      if (slice0winner3_best_second_0_0_choice_2 - slice0winner3_best_second_0_0_choice_4) < 0 then
+        slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_2;
+      else
+        slice0winner3_best_second_0_0 <= slice0winner3_best_second_0_0_choice_4;
+      end if;
+      if (slice0winner2_best_but_last_0_1 - slice0winner2_best_late_cost_0_0) < 0 then
+        slice0winner3_best_but_last_0_0 <= slice0winner2_best_but_last_0_1;
+      else
+        slice0winner3_best_but_last_0_0 <= slice0winner2_best_late_cost_0_0;
+      end if;
       -- slice0
       slice0_best_index_0_0 <= slice0winner3_best_index_0_0;
       slice0_best_below_0_0 <= slice0winner3_best_below_0_0;
@@ -2561,17 +3262,41 @@ begin
       slice1cost_pixels_first_1_0_value_8 := ((slice1shift_reference_1 / 128) mod 2) = 1;
       slice1cost_pixels_first_1_0_value_9 := ((slice1shift_reference_1 / 512) mod 2) = 1;
       slice1cost_pixels_first_1_0_value_10 := ((slice1shift_reference_1 / 1024) mod 2) = 1;
-      slice1cost_column_0_0_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 mod 128;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_0_choice := 0;
+      else
+        slice1cost_column_0_0_choice := slice1cost_ready_words_0 mod 128;
+      end if;
       slice1cost_column_0_0_value := (slice1cost_change_0_0 + slice1cost_column_0_0_choice) mod 128;
-      slice1cost_column_0_1_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_0 / 128) mod 128;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_1_choice := 0;
+      else
+        slice1cost_column_0_1_choice := (slice1cost_ready_words_0 / 128) mod 128;
+      end if;
       slice1cost_column_0_1_value := (slice1cost_change_0_1 + slice1cost_column_0_1_choice) mod 128;
-      slice1cost_column_0_2_choice := 0 when slice0cost_tag_first_group else (slice1cost_ready_words_0 / 16384) mod 128;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_2_choice := 0;
+      else
+        slice1cost_column_0_2_choice := (slice1cost_ready_words_0 / 16384) mod 128;
+      end if;
       slice1cost_column_0_2_value := (slice1cost_change_0_2 + slice1cost_column_0_2_choice) mod 128;
-      slice1cost_column_0_3_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_0 / 2097152;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_3_choice := 0;
+      else
+        slice1cost_column_0_3_choice := slice1cost_ready_words_0 / 2097152;
+      end if;
       slice1cost_column_0_3_value := (slice1cost_column_0_3_choice + slice1cost_change_0_3) mod 128;
-      slice1cost_column_0_4_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 mod 128;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_4_choice := 0;
+      else
+        slice1cost_column_0_4_choice := slice1cost_ready_words_1 mod 128;
+      end if;
       slice1cost_column_0_4_value := (slice1cost_change_0_4 + slice1cost_column_0_4_choice) mod 128;
-      slice1cost_column_0_5_choice := 0 when slice0cost_tag_first_group else slice1cost_ready_words_1 / 128;
+      if slice0cost_tag_first_group then
+        slice1cost_column_0_5_choice := 0;
+      else
+        slice1cost_column_0_5_choice := slice1cost_ready_words_1 / 128;
+      end if;
       slice1cost_column_0_5_value := (slice1cost_column_0_5_choice + slice1cost_change_0_5) mod 128;
       slice1cost_pixels_first_0_0 <= ((as_number((slice1cost_pixels_first_0_0_value /= (((slice1shift_search_0_0 / 8)
         mod 2) = 1))) + as_number((slice1cost_pixels_first_0_0_value_2 /= (((slice1shift_search_0_0 / 32) mod 2) = 1)))
@@ -2790,15 +3515,25 @@ begin
       end if;
       -- slice1window
       if slice0window_entering_tag_valid then
-        slice1window_ring_read_address <= 0 when slice1window_ring_read_address = 4 else
-          (slice1window_ring_read_address + 1) mod 8;
         slice1window_ring_write_address <= slice1window_ring_read_address;
+        if slice1window_ring_read_address = 4 then
+          slice1window_ring_read_address <= 0;
+        else
+          slice1window_ring_read_address <= (slice1window_ring_read_address + 1) mod 8;
+        end if;
       end if;
-      slice1window_entering_tag_border_column_choice := 511 when (not slice1mask_searched_5) or (not
-        slice1mask_inside_5) else 0;
+      if (not slice1mask_searched_5) or (not slice1mask_inside_5) then
+        slice1window_entering_tag_border_column_choice := 511;
+      else
+        slice1window_entering_tag_border_column_choice := 0;
+      end if;
       slice1window_entering_tag_border_column_any := to_integer(((to_unsigned(slice1window_sum_0_5, 9)) or
         (to_unsigned(slice1window_entering_tag_border_column_choice, 9))));
-      slice1window_entering_tag_border_column_choice_2 := 511 when (not other_17) or (not slice1mask_inside_4) else 0;
+      if (not other_17) or (not slice1mask_inside_4) then
+        slice1window_entering_tag_border_column_choice_2 := 511;
+      else
+        slice1window_entering_tag_border_column_choice_2 := 0;
+      end if;
       slice1window_entering_tag_border_column_any_2 := to_integer(((to_unsigned(slice1window_sum_0_4, 9)) or
         (to_unsigned(slice1window_entering_tag_border_column_choice_2, 9))));
       slice1window_entering_tag_border_column_is_less := (slice1window_entering_tag_border_column_any -
@@ -2839,8 +3574,6 @@ begin
       slice1window_entering_0_3 <= slice1cost_column_0_3;
       slice1window_entering_0_4 <= slice1cost_column_0_4;
       slice1window_entering_0_5 <= slice1cost_column_0_5;
-      slice1window_entering_tag_border_column <= slice1window_entering_tag_border_column_any_2 when
-        slice1window_entering_tag_border_column_is_less else 0;
       slice1window_change_0_0 <= slice1window_entering_0_0 - slice1window_change_0_0_choice;
       slice1window_change_0_1 <= slice1window_entering_0_1 - slice1window_change_0_1_choice;
       slice1window_change_0_2 <= slice1window_entering_0_2 - slice1window_change_0_2_choice;
@@ -2851,12 +3584,41 @@ begin
       slice1window_change_tag_output_column <= slice0window_change_tag_output_column;
       slice1window_change_tag_first_column <= slice0window_change_tag_first_column;
       slice1window_change_tag_start_of_frame <= slice0window_change_tag_start_of_frame;
-      slice1window_sum_0_0_choice := 0 when slice1window_change_tag_row_start else slice1window_sum_0_0;
-      slice1window_sum_0_1_choice := 0 when slice1window_change_tag_row_start else slice1window_sum_0_1;
-      slice1window_sum_0_2_choice := 0 when slice1window_change_tag_row_start else slice1window_sum_0_2;
-      slice1window_sum_0_3_choice := 0 when slice1window_change_tag_row_start else slice1window_sum_0_3;
-      slice1window_sum_0_4_choice := 0 when slice1window_change_tag_row_start else slice1window_sum_0_4;
-      slice1window_sum_0_5_choice := 0 when slice1window_change_tag_row_start else slice1window_sum_0_5;
+      if slice1window_entering_tag_border_column_is_less then
+        slice1window_entering_tag_border_column <= slice1window_entering_tag_border_column_any_2;
+      else
+        slice1window_entering_tag_border_column <= 0;
+      end if;
+      if slice1window_change_tag_row_start then
+        slice1window_sum_0_0_choice := 0;
+      else
+        slice1window_sum_0_0_choice := slice1window_sum_0_0;
+      end if;
+      if slice1window_change_tag_row_start then
+        slice1window_sum_0_1_choice := 0;
+      else
+        slice1window_sum_0_1_choice := slice1window_sum_0_1;
+      end if;
+      if slice1window_change_tag_row_start then
+        slice1window_sum_0_2_choice := 0;
+      else
+        slice1window_sum_0_2_choice := slice1window_sum_0_2;
+      end if;
+      if slice1window_change_tag_row_start then
+        slice1window_sum_0_3_choice := 0;
+      else
+        slice1window_sum_0_3_choice := slice1window_sum_0_3;
+      end if;
+      if slice1window_change_tag_row_start then
+        slice1window_sum_0_4_choice := 0;
+      else
+        slice1window_sum_0_4_choice := slice1window_sum_0_4;
+      end if;
+      if slice1window_change_tag_row_start then
+        slice1window_sum_0_5_choice := 0;
+      else
+        slice1window_sum_0_5_choice := slice1window_sum_0_5;
+      end if;
       if slice0window_tag_valid then
         slice1window_sum_0_0 <= (slice1window_sum_0_0_choice + slice1window_change_0_0) mod 512;
         slice1window_sum_0_1 <= (slice1window_sum_0_1_choice + slice1window_change_0_1) mod 512;
@@ -2876,97 +3638,215 @@ begin
       end if;
       -- slice1mask
       slice1mask_inside_0_all := (not slice0window_tag_valid) and slice1mask_inside_0;
-      slice1mask_inside_0_choice := slice1mask_inside_0_all when slice1window_centre_first_column_1 else
-        slice0window_tag_valid or slice1mask_inside_0;
-      slice1mask_inside_1_choice := slice1mask_inside_0 when slice0window_tag_valid else slice1mask_inside_1;
-      slice1mask_inside_2_choice := slice1mask_inside_1 when slice0window_tag_valid else slice1mask_inside_2;
-      slice1mask_inside_3_choice := slice1mask_inside_2 when slice0window_tag_valid else slice1mask_inside_3;
-      slice1mask_inside_4_choice := slice1mask_inside_3 when slice0window_tag_valid else slice1mask_inside_4;
-      slice1mask_inside_5_choice := slice1mask_inside_4 when slice0window_tag_valid else slice1mask_inside_5;
+      if slice1window_centre_first_column_1 then
+        slice1mask_inside_0_choice := slice1mask_inside_0_all;
+      else
+        slice1mask_inside_0_choice := slice0window_tag_valid or slice1mask_inside_0;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_1_choice := slice1mask_inside_0;
+      else
+        slice1mask_inside_1_choice := slice1mask_inside_1;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_2_choice := slice1mask_inside_1;
+      else
+        slice1mask_inside_2_choice := slice1mask_inside_2;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_3_choice := slice1mask_inside_2;
+      else
+        slice1mask_inside_3_choice := slice1mask_inside_3;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_4_choice := slice1mask_inside_3;
+      else
+        slice1mask_inside_4_choice := slice1mask_inside_4;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_5_choice := slice1mask_inside_4;
+      else
+        slice1mask_inside_5_choice := slice1mask_inside_5;
+      end if;
       slice1mask_searched_5_value := ((settings_last_disparity / 8) mod 2) = 1;
       slice1mask_searched_5_value_2 := ((settings_last_disparity / 4) mod 2) = 1;
       slice1mask_searched_5_value_3 := ((settings_last_disparity / 2) mod 2) = 1;
       slice1mask_searched_5_all := slice1mask_searched_5_value and (slice1mask_searched_5_value_2 or
         slice1mask_searched_5_value_3);
-      slice1mask_searched_5_choice := slice1mask_searched_5_all when (settings_last_disparity mod 2) = 1 else
-        ((settings_last_disparity / 4) mod 4) = 3;
+      if (settings_last_disparity mod 2) = 1 then
+        slice1mask_searched_5_choice := slice1mask_searched_5_all;
+      else
+        slice1mask_searched_5_choice := ((settings_last_disparity / 4) mod 4) = 3;
+      end if;
       slice1mask_searched_5_value_4 := ((settings_first_disparity / 8) mod 2) = 1;
       slice1mask_searched_5_value_5 := ((settings_first_disparity / 4) mod 2) = 1;
-      slice1mask_searched_5_choice_2 := (not (((settings_first_disparity / 16) mod 2) = 1)) and (not
-        slice1mask_searched_5_value_5) when slice1mask_searched_5_value_4 else not (((settings_first_disparity / 16)
-        mod 2) = 1);
+      if slice1mask_searched_5_value_4 then
+        slice1mask_searched_5_choice_2 := (not (((settings_first_disparity / 16) mod 2) = 1)) and (not
+          slice1mask_searched_5_value_5);
+      else
+        slice1mask_searched_5_choice_2 := not (((settings_first_disparity / 16) mod 2) = 1);
+      end if;
       slice1mask_searched_5_is_equal := (settings_first_disparity / 32) = 0;
       slice1mask_searched_5_value_6 := ((settings_last_disparity / 64) mod 2) = 1;
-      slice1mask_searched_5_choice_3 := slice1mask_searched_5_choice_2 and slice1mask_searched_5_is_equal and
-        slice0window_tag_start_of_frame and slice1window_centre_output_column_1 and slice0window_tag_valid and
-        slice1mask_searched_5_value_6 when (not slice1mask_searched_5_choice) and (not ((settings_last_disparity / 128)
-        = 1)) and (((settings_last_disparity / 16) mod 4) = 0) else slice1mask_searched_5_choice_2 and
-        slice1mask_searched_5_is_equal and slice0window_tag_start_of_frame and slice1window_centre_output_column_1 and
-        slice0window_tag_valid;
+      if (not slice1mask_searched_5_choice) and (not ((settings_last_disparity / 128) = 1)) and
+        (((settings_last_disparity / 16) mod 4) = 0) then
+        slice1mask_searched_5_choice_3 := slice1mask_searched_5_choice_2 and slice1mask_searched_5_is_equal and
+          slice0window_tag_start_of_frame and slice1window_centre_output_column_1 and slice0window_tag_valid and
+          slice1mask_searched_5_value_6;
+      else
+        slice1mask_searched_5_choice_3 := slice1mask_searched_5_choice_2 and slice1mask_searched_5_is_equal and
+          slice0window_tag_start_of_frame and slice1window_centre_output_column_1 and slice0window_tag_valid;
+      end if;
       slice1mask_searched_5_all_2 := slice0window_tag_start_of_frame and slice1window_centre_output_column_1 and
         slice0window_tag_valid;
-      slice1mask_inside_0 <= slice1mask_inside_0_choice when slice0mask_left_out else slice1mask_inside_0_all;
-      slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1 when
-        slice1window_centre_first_column_1 else slice1mask_inside_1_choice;
-      slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2 when
-        slice1window_centre_first_column_1 else slice1mask_inside_2_choice;
-      slice1mask_inside_3 <= (not slice0window_tag_valid) and slice1mask_inside_3 when
-        slice1window_centre_first_column_1 else slice1mask_inside_3_choice;
-      slice1mask_inside_4 <= (not slice0window_tag_valid) and slice1mask_inside_4 when
-        slice1window_centre_first_column_1 else slice1mask_inside_4_choice;
-      slice1mask_inside_5 <= (not slice0window_tag_valid) and slice1mask_inside_5 when
-        slice1window_centre_first_column_1 else slice1mask_inside_5_choice;
       slice1mask_searched_5 <= slice1mask_searched_5_choice_3 or ((not slice1mask_searched_5_all_2) and
         slice1mask_searched_5);
+      if slice0mask_left_out then
+        slice1mask_inside_0 <= slice1mask_inside_0_choice;
+      else
+        slice1mask_inside_0 <= slice1mask_inside_0_all;
+      end if;
+      if slice1window_centre_first_column_1 then
+        slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1;
+        slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2;
+        slice1mask_inside_3 <= (not slice0window_tag_valid) and slice1mask_inside_3;
+        slice1mask_inside_4 <= (not slice0window_tag_valid) and slice1mask_inside_4;
+        slice1mask_inside_5 <= (not slice0window_tag_valid) and slice1mask_inside_5;
+      else
+        slice1mask_inside_1 <= slice1mask_inside_1_choice;
+        slice1mask_inside_2 <= slice1mask_inside_2_choice;
+        slice1mask_inside_3 <= slice1mask_inside_3_choice;
+        slice1mask_inside_4 <= slice1mask_inside_4_choice;
+        slice1mask_inside_5 <= slice1mask_inside_5_choice;
+      end if;
       -- slice1other
       slice1other_cost_0_0_all := slice0winner1_tag_output_column and slice0winner1_tag_first_column;
-      slice1other_cost_0_0_choice := slice0winner1_tag_output_column when (slice1window_sum_0_0 -
-        slice0other_cost_out_0) < 0 else slice1other_cost_0_0_all;
+      if (slice1window_sum_0_0 - slice0other_cost_out_0) < 0 then
+        slice1other_cost_0_0_choice := slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_0_choice := slice1other_cost_0_0_all;
+      end if;
       slice1other_cost_0_0_all_2 := other_21 and slice1mask_inside_0 and slice1other_cost_0_0_choice;
-      slice1other_cost_0_0_choice_2 := 511 when slice0winner1_tag_first_column else slice0other_cost_out_0;
-      slice1other_cost_0_1_choice := slice0winner1_tag_output_column when (slice1window_sum_0_1 - slice1other_cost_0_0)
-        < 0 else slice1other_cost_0_0_all;
+      if slice0winner1_tag_first_column then
+        slice1other_cost_0_0_choice_2 := 511;
+      else
+        slice1other_cost_0_0_choice_2 := slice0other_cost_out_0;
+      end if;
+      if (slice1window_sum_0_1 - slice1other_cost_0_0) < 0 then
+        slice1other_cost_0_1_choice := slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_1_choice := slice1other_cost_0_0_all;
+      end if;
       slice1other_cost_0_1_all := other_20 and slice1mask_inside_1 and slice1other_cost_0_1_choice;
-      slice1other_cost_0_1_choice_2 := 511 when slice0winner1_tag_first_column else slice1other_cost_0_0;
-      slice1other_cost_0_2_choice := slice0winner1_tag_output_column when (slice1window_sum_0_2 - slice1other_cost_0_1)
-        < 0 else slice1other_cost_0_0_all;
+      if slice0winner1_tag_first_column then
+        slice1other_cost_0_1_choice_2 := 511;
+      else
+        slice1other_cost_0_1_choice_2 := slice1other_cost_0_0;
+      end if;
+      if (slice1window_sum_0_2 - slice1other_cost_0_1) < 0 then
+        slice1other_cost_0_2_choice := slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_2_choice := slice1other_cost_0_0_all;
+      end if;
       slice1other_cost_0_2_all := other_19 and slice1mask_inside_2 and slice1other_cost_0_2_choice;
-      slice1other_cost_0_2_choice_2 := 511 when slice0winner1_tag_first_column else slice1other_cost_0_1;
-      slice1other_cost_0_3_choice := slice0winner1_tag_output_column when (slice1window_sum_0_3 - slice1other_cost_0_2)
-        < 0 else slice1other_cost_0_0_all;
+      if slice0winner1_tag_first_column then
+        slice1other_cost_0_2_choice_2 := 511;
+      else
+        slice1other_cost_0_2_choice_2 := slice1other_cost_0_1;
+      end if;
+      if (slice1window_sum_0_3 - slice1other_cost_0_2) < 0 then
+        slice1other_cost_0_3_choice := slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_3_choice := slice1other_cost_0_0_all;
+      end if;
       slice1other_cost_0_3_all := other_18 and slice1mask_inside_3 and slice1other_cost_0_3_choice;
-      slice1other_cost_0_3_choice_2 := 511 when slice0winner1_tag_first_column else slice1other_cost_0_2;
-      slice1other_cost_0_4_choice := slice0winner1_tag_output_column when (slice1window_sum_0_4 - slice1other_cost_0_3)
-        < 0 else slice1other_cost_0_0_all;
+      if slice0winner1_tag_first_column then
+        slice1other_cost_0_3_choice_2 := 511;
+      else
+        slice1other_cost_0_3_choice_2 := slice1other_cost_0_2;
+      end if;
+      if (slice1window_sum_0_4 - slice1other_cost_0_3) < 0 then
+        slice1other_cost_0_4_choice := slice0winner1_tag_output_column;
+      else
+        slice1other_cost_0_4_choice := slice1other_cost_0_0_all;
+      end if;
       slice1other_cost_0_4_all := other_17 and slice1mask_inside_4 and slice1other_cost_0_4_choice;
-      slice1other_cost_0_4_choice_2 := 511 when slice0winner1_tag_first_column else slice1other_cost_0_3;
+      if slice0winner1_tag_first_column then
+        slice1other_cost_0_4_choice_2 := 511;
+      else
+        slice1other_cost_0_4_choice_2 := slice1other_cost_0_3;
+      end if;
       if slice0winner1_tag_valid then
-        slice1other_cost_0_0 <= slice1window_sum_0_0 when slice1other_cost_0_0_all_2 else slice1other_cost_0_0_choice_2;
-        slice1other_cost_0_1 <= slice1window_sum_0_1 when slice1other_cost_0_1_all else slice1other_cost_0_1_choice_2;
-        slice1other_cost_0_2 <= slice1window_sum_0_2 when slice1other_cost_0_2_all else slice1other_cost_0_2_choice_2;
-        slice1other_cost_0_3 <= slice1window_sum_0_3 when slice1other_cost_0_3_all else slice1other_cost_0_3_choice_2;
-        slice1other_cost_0_4 <= slice1window_sum_0_4 when slice1other_cost_0_4_all else slice1other_cost_0_4_choice_2;
-        slice1other_winner_0_0 <= 6 when slice1other_cost_0_0_all_2 else slice0other_winner_out_0;
-        slice1other_winner_0_1 <= 7 when slice1other_cost_0_1_all else slice1other_winner_0_0;
-        slice1other_winner_0_2 <= 8 when slice1other_cost_0_2_all else slice1other_winner_0_1;
-        slice1other_winner_0_3 <= 9 when slice1other_cost_0_3_all else slice1other_winner_0_2;
-        slice1other_winner_0_4 <= 10 when slice1other_cost_0_4_all else slice1other_winner_0_3;
-        slice1other_winner_0_5 <= 11 when slice1mask_searched_5 and slice1mask_inside_5 and
-          slice0winner1_tag_output_column and (((slice1window_sum_0_5 - slice1other_cost_0_4) < 0) or
-          slice0winner1_tag_first_column) else slice1other_winner_0_4;
+        if slice1other_cost_0_0_all_2 then
+          slice1other_cost_0_0 <= slice1window_sum_0_0;
+          slice1other_winner_0_0 <= 6;
+        else
+          slice1other_cost_0_0 <= slice1other_cost_0_0_choice_2;
+          slice1other_winner_0_0 <= slice0other_winner_out_0;
+        end if;
+        if slice1other_cost_0_1_all then
+          slice1other_cost_0_1 <= slice1window_sum_0_1;
+          slice1other_winner_0_1 <= 7;
+        else
+          slice1other_cost_0_1 <= slice1other_cost_0_1_choice_2;
+          slice1other_winner_0_1 <= slice1other_winner_0_0;
+        end if;
+        if slice1other_cost_0_2_all then
+          slice1other_cost_0_2 <= slice1window_sum_0_2;
+          slice1other_winner_0_2 <= 8;
+        else
+          slice1other_cost_0_2 <= slice1other_cost_0_2_choice_2;
+          slice1other_winner_0_2 <= slice1other_winner_0_1;
+        end if;
+        if slice1other_cost_0_3_all then
+          slice1other_cost_0_3 <= slice1window_sum_0_3;
+          slice1other_winner_0_3 <= 9;
+        else
+          slice1other_cost_0_3 <= slice1other_cost_0_3_choice_2;
+          slice1other_winner_0_3 <= slice1other_winner_0_2;
+        end if;
+        if slice1other_cost_0_4_all then
+          slice1other_cost_0_4 <= slice1window_sum_0_4;
+          slice1other_winner_0_4 <= 10;
+        else
+          slice1other_cost_0_4 <= slice1other_cost_0_4_choice_2;
+          slice1other_winner_0_4 <= slice1other_winner_0_3;
+        end if;
+        if slice1mask_searched_5 and slice1mask_inside_5 and slice0winner1_tag_output_column and
+          (((slice1window_sum_0_5 - slice1other_cost_0_4) < 0) or slice0winner1_tag_first_column) then
+          slice1other_winner_0_5 <= 11;
+        else
+          slice1other_winner_0_5 <= slice1other_winner_0_4;
+        end if;
       end if;
       slice1other_winner_out_0 <= slice1other_winner_0_5;
       -- slice1winner1
-      slice1winner1_held_0_0_choice := 511 when (not other_21) or (not slice1mask_inside_0) else 0;
+      if (not other_21) or (not slice1mask_inside_0) then
+        slice1winner1_held_0_0_choice := 511;
+      else
+        slice1winner1_held_0_0_choice := 0;
+      end if;
       slice1winner1_held_0_0_any := to_integer(((to_unsigned(slice1window_sum_0_0, 9)) or
         (to_unsigned(slice1winner1_held_0_0_choice, 9))));
-      slice1winner1_held_0_1_choice := 511 when (not other_20) or (not slice1mask_inside_1) else 0;
+      if (not other_20) or (not slice1mask_inside_1) then
+        slice1winner1_held_0_1_choice := 511;
+      else
+        slice1winner1_held_0_1_choice := 0;
+      end if;
       slice1winner1_held_0_1_any := to_integer(((to_unsigned(slice1window_sum_0_1, 9)) or
         (to_unsigned(slice1winner1_held_0_1_choice, 9))));
-      slice1winner1_held_0_2_choice := 511 when (not other_19) or (not slice1mask_inside_2) else 0;
+      if (not other_19) or (not slice1mask_inside_2) then
+        slice1winner1_held_0_2_choice := 511;
+      else
+        slice1winner1_held_0_2_choice := 0;
+      end if;
       slice1winner1_held_0_2_any := to_integer(((to_unsigned(slice1window_sum_0_2, 9)) or
         (to_unsigned(slice1winner1_held_0_2_choice, 9))));
-      slice1winner1_held_0_3_choice := 511 when (not other_18) or (not slice1mask_inside_3) else 0;
+      if (not other_18) or (not slice1mask_inside_3) then
+        slice1winner1_held_0_3_choice := 511;
+      else
+        slice1winner1_held_0_3_choice := 0;
+      end if;
       slice1winner1_held_0_3_any := to_integer(((to_unsigned(slice1window_sum_0_3, 9)) or
         (to_unsigned(slice1winner1_held_0_3_choice, 9))));
       slice1winner1_best_cost_0_0_is_less := (slice1winner1_held_0_1_any - slice1winner1_held_0_0_any) < 0;
@@ -2976,21 +3856,7 @@ begin
       slice1winner1_held_0_2 <= slice1winner1_held_0_2_any;
       slice1winner1_held_0_3 <= slice1winner1_held_0_3_any;
       slice1winner1_held_0_4 <= slice1window_entering_tag_border_column_any_2;
-      slice1winner1_held_0_5 <= 0 when slice1window_entering_tag_border_column_is_less else
-        slice1window_entering_tag_border_column_any;
-      slice1winner1_best_cost_0_0 <= slice1winner1_held_0_1_any when slice1winner1_best_cost_0_0_is_less else
-        slice1winner1_held_0_0_any;
-      slice1winner1_best_cost_0_1 <= slice1winner1_held_0_3_any when slice1winner1_best_cost_0_1_is_less else
-        slice1winner1_held_0_2_any;
-      slice1winner1_best_cost_0_2 <= slice1window_entering_tag_border_column_any when
-        slice1window_entering_tag_border_column_is_less else slice1window_entering_tag_border_column_any_2;
       slice1winner1_best_index_0_0 <= slice1winner1_best_cost_0_0_is_less;
-      slice1winner1_best_index_0_1 <= 3 when slice1winner1_best_cost_0_1_is_less else 2;
-      slice1winner1_best_index_0_2 <= 5 when slice1window_entering_tag_border_column_is_less else 4;
-      slice1winner1_best_below_0_0 <= slice1winner1_held_0_0_any when slice1winner1_best_cost_0_0_is_less else 0;
-      slice1winner1_best_below_0_1 <= slice1winner1_held_0_2_any when slice1winner1_best_cost_0_1_is_less else 0;
-      slice1winner1_best_above_0_0 <= 0 when slice1winner1_best_cost_0_0_is_less else slice1winner1_held_0_1_any;
-      slice1winner1_best_above_0_1 <= 0 when slice1winner1_best_cost_0_1_is_less else slice1winner1_held_0_3_any;
       slice1winner1_best_above_0_2 <= slice1window_entering_tag_border_column_any;
       slice1winner1_best_late_cost_0_0 <= slice1winner1_best_cost_0_0;
       slice1winner1_best_late_cost_0_1 <= slice1winner1_best_cost_0_1;
@@ -3000,31 +3866,70 @@ begin
       slice1winner1_best_but_first_0_2 <= slice1winner1_best_above_0_2;
       slice1winner1_best_but_last_0_0 <= slice1winner1_held_0_0;
       slice1winner1_best_but_last_0_1 <= slice1winner1_held_0_2;
+      if slice1window_entering_tag_border_column_is_less then
+        slice1winner1_held_0_5 <= 0;
+        slice1winner1_best_cost_0_2 <= slice1window_entering_tag_border_column_any;
+        slice1winner1_best_index_0_2 <= 5;
+      else
+        slice1winner1_held_0_5 <= slice1window_entering_tag_border_column_any;
+        slice1winner1_best_cost_0_2 <= slice1window_entering_tag_border_column_any_2;
+        slice1winner1_best_index_0_2 <= 4;
+      end if;
+      if slice1winner1_best_cost_0_0_is_less then
+        slice1winner1_best_cost_0_0 <= slice1winner1_held_0_1_any;
+        slice1winner1_best_below_0_0 <= slice1winner1_held_0_0_any;
+        slice1winner1_best_above_0_0 <= 0;
+      else
+        slice1winner1_best_cost_0_0 <= slice1winner1_held_0_0_any;
+        slice1winner1_best_below_0_0 <= 0;
+        slice1winner1_best_above_0_0 <= slice1winner1_held_0_1_any;
+      end if;
+      if slice1winner1_best_cost_0_1_is_less then
+        slice1winner1_best_cost_0_1 <= slice1winner1_held_0_3_any;
+        slice1winner1_best_index_0_1 <= 3;
+        slice1winner1_best_below_0_1 <= slice1winner1_held_0_2_any;
+        slice1winner1_best_above_0_1 <= 0;
+      else
+        slice1winner1_best_cost_0_1 <= slice1winner1_held_0_2_any;
+        slice1winner1_best_index_0_1 <= 2;
+        slice1winner1_best_below_0_1 <= 0;
+        slice1winner1_best_above_0_1 <= slice1winner1_held_0_3_any;
+      end if;
       -- slice1winner2
       slice1winner2_best_cost_0_0_is_less := (slice1winner1_best_cost_0_1 - slice1winner1_best_cost_0_0) < 0;
       slice1winner2_best_below_0_0_is_equal := slice1winner1_best_index_0_1 = 2;
-      slice1winner2_best_below_0_0_choice := slice1winner1_held_0_1 when slice1winner2_best_below_0_0_is_equal else
-        slice1winner1_best_below_0_1;
-      slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2 when slice1winner1_best_index_0_0 else
-        slice1winner1_best_above_0_0;
-      slice1winner2_best_second_0_0_choice := 511 when slice1winner2_best_place_0_0 else
-        slice1winner1_best_late_cost_0_1;
-      slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_but_first_0_1 when slice1winner2_best_at_end_0_0
-        else slice1winner2_best_second_0_0_choice;
-      slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_late_cost_0_0 when slice1winner2_best_place_0_0 else
-        511;
-      slice1winner2_best_second_0_0_choice_4 := slice1winner1_best_but_last_0_0 when slice1winner2_best_at_start_0_0
-        else slice1winner2_best_second_0_0_choice_3;
-      slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_cost_0_0;
+      if slice1winner2_best_below_0_0_is_equal then
+        slice1winner2_best_below_0_0_choice := slice1winner1_held_0_1;
+      else
+        slice1winner2_best_below_0_0_choice := slice1winner1_best_below_0_1;
+      end if;
+      if slice1winner1_best_index_0_0 then
+        slice1winner2_best_above_0_0_choice := slice1winner1_held_0_2;
+      else
+        slice1winner2_best_above_0_0_choice := slice1winner1_best_above_0_0;
+      end if;
+      if slice1winner2_best_place_0_0 then
+        slice1winner2_best_second_0_0_choice := 511;
+      else
+        slice1winner2_best_second_0_0_choice := slice1winner1_best_late_cost_0_1;
+      end if;
+      if slice1winner2_best_at_end_0_0 then
+        slice1winner2_best_second_0_0_choice_2 := slice1winner1_best_but_first_0_1;
+      else
+        slice1winner2_best_second_0_0_choice_2 := slice1winner2_best_second_0_0_choice;
+      end if;
+      if slice1winner2_best_place_0_0 then
+        slice1winner2_best_second_0_0_choice_3 := slice1winner1_best_late_cost_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_3 := 511;
+      end if;
+      if slice1winner2_best_at_start_0_0 then
+        slice1winner2_best_second_0_0_choice_4 := slice1winner1_best_but_last_0_0;
+      else
+        slice1winner2_best_second_0_0_choice_4 := slice1winner2_best_second_0_0_choice_3;
+      end if;
       slice1winner2_best_cost_0_1 <= slice1winner1_held_0_4;
-      slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1 when slice1winner2_best_cost_0_0_is_less else
-        as_number(slice1winner1_best_index_0_0);
       slice1winner2_best_index_0_1 <= slice1winner1_best_index_0_2;
-      slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice when slice1winner2_best_cost_0_0_is_less else
-        slice1winner1_best_below_0_0;
-      slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1 when slice1winner2_best_cost_0_0_is_less else
-        slice1winner2_best_above_0_0_choice;
       slice1winner2_best_above_0_1 <= slice1winner1_held_0_5;
       slice1winner2_best_first_0_0 <= slice1winner1_held_0_0;
       slice1winner2_best_last_0_0 <= slice1winner1_held_0_3;
@@ -3034,37 +3939,66 @@ begin
         slice1winner1_best_cost_0_0) >= 0);
       slice1winner2_best_late_cost_0_0 <= slice1winner2_best_cost_0_0;
       slice1winner2_best_late_cost_0_1 <= slice1winner1_best_late_cost_0_2;
-      slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_2 when
-        (slice1winner2_best_second_0_0_choice_2 - slice1winner2_best_second_0_0_choice_4) < 0 else
-        slice1winner2_best_second_0_0_choice_4;
-      slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1 when (slice1winner1_best_late_cost_0_1 -
-        slice1winner1_best_but_first_0_0) < 0 else slice1winner1_best_but_first_0_0;
       slice1winner2_best_but_first_0_1 <= slice1winner1_best_but_first_0_2;
-      slice1winner2_best_but_last_0_0 <= slice1winner1_best_but_last_0_1 when (slice1winner1_best_but_last_0_1 -
-        slice1winner1_best_late_cost_0_0) < 0 else slice1winner1_best_late_cost_0_0;
+      if slice1winner2_best_cost_0_0_is_less then
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_1;
+        slice1winner2_best_index_0_0 <= slice1winner1_best_index_0_1;
+        slice1winner2_best_below_0_0 <= slice1winner2_best_below_0_0_choice;
+        slice1winner2_best_above_0_0 <= slice1winner1_best_above_0_1;
+      else
+        slice1winner2_best_cost_0_0 <= slice1winner1_best_cost_0_0;
+        slice1winner2_best_index_0_0 <= as_number(slice1winner1_best_index_0_0);
+        slice1winner2_best_below_0_0 <= slice1winner1_best_below_0_0;
+        slice1winner2_best_above_0_0 <= slice1winner2_best_above_0_0_choice;
+      end if;
+      if (slice1winner2_best_second_0_0_choice_2 - slice1winner2_best_second_0_0_choice_4) < 0 then
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_2;
+      else
+        slice1winner2_best_second_0_0 <= slice1winner2_best_second_0_0_choice_4;
+      end if;
+      if (slice1winner1_best_late_cost_0_1 - slice1winner1_best_but_first_0_0) < 0 then
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_late_cost_0_1;
+      else
+        slice1winner2_best_but_first_0_0 <= slice1winner1_best_but_first_0_0;
+      end if;
+      if (slice1winner1_best_but_last_0_1 - slice1winner1_best_late_cost_0_0) < 0 then
+        slice1winner2_best_but_last_0_0 <= slice1winner1_best_but_last_0_1;
+      else
+        slice1winner2_best_but_last_0_0 <= slice1winner1_best_late_cost_0_0;
+      end if;
       -- slice1winner3
       slice1winner3_best_cost_0_0_is_less := (slice1winner1_best_late_cost_0_2 - slice1winner2_best_cost_0_0) < 0;
-      slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0 when ((slice1winner2_best_index_0_1 / 4) = 1)
-        and (not ((slice1winner2_best_index_0_1 mod 2) = 1)) else slice1winner3_tag_row_start;
+      if ((slice1winner2_best_index_0_1 / 4) = 1) and (not ((slice1winner2_best_index_0_1 mod 2) = 1)) then
+        slice1winner3_best_below_0_0_choice := slice1winner2_best_last_0_0;
+      else
+        slice1winner3_best_below_0_0_choice := slice1winner3_tag_row_start;
+      end if;
       slice1winner3_best_above_0_0_is_equal := slice1winner2_best_index_0_0 = 3;
-      slice1winner3_best_above_0_0_choice := slice1winner2_best_cost_0_1 when slice1winner3_best_above_0_0_is_equal
-        else slice1winner2_best_above_0_0;
-      slice1winner3_best_second_0_0_choice := 511 when slice1winner3_best_at_start_0_0 else
-        slice1winner2_best_late_cost_0_1;
-      slice1winner3_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_1 when slice1winner3_best_at_end_0_0
-        else slice1winner3_best_second_0_0_choice;
-      slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0 when slice1winner3_best_at_start_0_0
-        else slice1winner2_best_second_0_0;
-      slice1winner3_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0 when slice1winner3_best_place_0_0 else
-        slice1winner3_best_second_0_0_choice_3;
-      slice1winner3_best_cost_0_0 <= slice1winner1_best_late_cost_0_2 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_cost_0_0;
-      slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_index_0_0;
-      slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice when slice1winner3_best_cost_0_0_is_less else
-        slice1winner2_best_below_0_0;
-      slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1 when slice1winner3_best_cost_0_0_is_less else
-        slice1winner3_best_above_0_0_choice;
+      if slice1winner3_best_above_0_0_is_equal then
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_cost_0_1;
+      else
+        slice1winner3_best_above_0_0_choice := slice1winner2_best_above_0_0;
+      end if;
+      if slice1winner3_best_at_start_0_0 then
+        slice1winner3_best_second_0_0_choice := 511;
+      else
+        slice1winner3_best_second_0_0_choice := slice1winner2_best_late_cost_0_1;
+      end if;
+      if slice1winner3_best_at_end_0_0 then
+        slice1winner3_best_second_0_0_choice_2 := slice1winner2_best_but_first_0_1;
+      else
+        slice1winner3_best_second_0_0_choice_2 := slice1winner3_best_second_0_0_choice;
+      end if;
+      if slice1winner3_best_at_start_0_0 then
+        slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_late_cost_0_0;
+      else
+        slice1winner3_best_second_0_0_choice_3 := slice1winner2_best_second_0_0;
+      end if;
+      if slice1winner3_best_place_0_0 then
+        slice1winner3_best_second_0_0_choice_4 := slice1winner2_best_but_last_0_0;
+      else
+        slice1winner3_best_second_0_0_choice_4 := slice1winner3_best_second_0_0_choice_3;
+      end if;
       slice1winner3_best_first_0_0 <= slice1winner2_best_first_0_0;
       slice1winner3_best_place_0_0 <= slice1winner3_best_cost_0_0_is_less and ((slice1winner2_best_index_0_1 / 4) = 1)
         and (not ((slice1winner2_best_index_0_1 mod 2) = 1));
@@ -3072,54 +4006,98 @@ begin
       slice1winner3_best_at_end_0_0 <= ((slice1winner1_best_late_cost_0_2 - slice1winner2_best_cost_0_0) >= 0) and
         slice1winner3_best_above_0_0_is_equal;
       slice1winner3_best_late_cost_0_0 <= slice1winner3_best_cost_0_0;
-      slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_2 when
-        (slice1winner3_best_second_0_0_choice_2 - slice1winner3_best_second_0_0_choice_4) < 0 else
-        slice1winner3_best_second_0_0_choice_4;
-      slice1winner3_best_but_first_0_0 <= slice1winner2_best_late_cost_0_1 when (slice1winner2_best_late_cost_0_1 -
-        slice1winner2_best_but_first_0_0) < 0 else slice1winner2_best_but_first_0_0;
       slice1winner3_tag_row_start <= slice1window_entering_tag_border_column;
+      if slice1winner3_best_cost_0_0_is_less then
+        slice1winner3_best_cost_0_0 <= slice1winner1_best_late_cost_0_2;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_1;
+        slice1winner3_best_below_0_0 <= slice1winner3_best_below_0_0_choice;
+        slice1winner3_best_above_0_0 <= slice1winner2_best_above_0_1;
+      else
+        slice1winner3_best_cost_0_0 <= slice1winner2_best_cost_0_0;
+        slice1winner3_best_index_0_0 <= slice1winner2_best_index_0_0;
+        slice1winner3_best_below_0_0 <= slice1winner2_best_below_0_0;
+        slice1winner3_best_above_0_0 <= slice1winner3_best_above_0_0_choice;
+      end if;
+      if (slice1winner3_best_second_0_0_choice_2 - slice1winner3_best_second_0_0_choice_4) < 0 then
+        slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_2;
+      else
+        slice1winner3_best_second_0_0 <= slice1winner3_best_second_0_0_choice_4;
+      end if;
+      if (slice1winner2_best_late_cost_0_1 - slice1winner2_best_but_first_0_0) < 0 then
+        slice1winner3_best_but_first_0_0 <= slice1winner2_best_late_cost_0_1;
+      else
+        slice1winner3_best_but_first_0_0 <= slice1winner2_best_but_first_0_0;
+      end if;
       -- slice1
       slice1_best_cost_0_0_is_less := (slice1winner3_best_cost_0_0 - slice0winner3_best_late_cost_0_0) < 0;
       slice1_best_below_0_0_is_equal := slice1winner3_best_index_0_0 = 0;
-      slice1_best_below_0_0_choice := slice0_best_last_0_0 when slice1_best_below_0_0_is_equal else
-        slice1winner3_best_below_0_0;
+      if slice1_best_below_0_0_is_equal then
+        slice1_best_below_0_0_choice := slice0_best_last_0_0;
+      else
+        slice1_best_below_0_0_choice := slice1winner3_best_below_0_0;
+      end if;
       slice1_best_above_0_0_is_equal := slice0_best_index_0_0 = 5;
-      slice1_best_above_0_0_choice := slice1winner3_best_first_0_0 when slice1_best_above_0_0_is_equal else
-        slice0_best_above_0_0;
-      slice1_best_second_0_0_choice := slice1winner3_best_second_0_0 when slice1_best_place_0_0 else
-        slice1winner3_best_late_cost_0_0;
-      slice1_best_second_0_0_choice_2 := slice1winner3_best_but_first_0_0 when slice1_best_at_end_0_0 else
-        slice1_best_second_0_0_choice;
-      slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0 when slice1_best_place_0_0 else
-        slice0_best_second_0_0;
-      slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0 when slice1_best_at_start_0_0 else
-        slice1_best_second_0_0_choice_3;
-      slice1_best_cost_0_0 <= slice1winner3_best_cost_0_0 when slice1_best_cost_0_0_is_less else
-        slice0winner3_best_late_cost_0_0;
-      slice1_best_index_0_0 <= (((slice1winner3_best_index_0_0 / 2) + 3) * 2) + (slice1winner3_best_index_0_0 mod 2)
-        when slice1_best_cost_0_0_is_less else slice0_best_index_0_0;
-      slice1_best_below_0_0 <= slice1_best_below_0_0_choice when slice1_best_cost_0_0_is_less else
-        slice0_best_below_0_0;
-      slice1_best_above_0_0 <= slice1winner3_best_above_0_0 when slice1_best_cost_0_0_is_less else
-        slice1_best_above_0_0_choice;
+      if slice1_best_above_0_0_is_equal then
+        slice1_best_above_0_0_choice := slice1winner3_best_first_0_0;
+      else
+        slice1_best_above_0_0_choice := slice0_best_above_0_0;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice := slice1winner3_best_second_0_0;
+      else
+        slice1_best_second_0_0_choice := slice1winner3_best_late_cost_0_0;
+      end if;
+      if slice1_best_at_end_0_0 then
+        slice1_best_second_0_0_choice_2 := slice1winner3_best_but_first_0_0;
+      else
+        slice1_best_second_0_0_choice_2 := slice1_best_second_0_0_choice;
+      end if;
+      if slice1_best_place_0_0 then
+        slice1_best_second_0_0_choice_3 := slice0_best_late_cost_0_0;
+      else
+        slice1_best_second_0_0_choice_3 := slice0_best_second_0_0;
+      end if;
+      if slice1_best_at_start_0_0 then
+        slice1_best_second_0_0_choice_4 := slice0_best_but_last_0_0;
+      else
+        slice1_best_second_0_0_choice_4 := slice1_best_second_0_0_choice_3;
+      end if;
       slice1_best_place_0_0 <= slice1_best_cost_0_0_is_less;
       slice1_best_at_start_0_0 <= slice1_best_cost_0_0_is_less and slice1_best_below_0_0_is_equal;
       slice1_best_at_end_0_0 <= ((slice1winner3_best_cost_0_0 - slice0winner3_best_late_cost_0_0) >= 0) and
         slice1_best_above_0_0_is_equal;
       slice1_best_late_cost_0_0 <= slice1_best_cost_0_0;
-      slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2 when (slice1_best_second_0_0_choice_2 -
-        slice1_best_second_0_0_choice_4) < 0 else slice1_best_second_0_0_choice_4;
       slice1_best_tag_valid <= slice0_best_tag_valid;
       slice1_best_tag_map_column <= slice0_best_tag_map_column;
       slice1_best_tag_output_column <= slice0_best_tag_output_column;
       slice1_best_tag_start_of_frame <= slice0_best_tag_start_of_frame;
       slice1_best_tag_end_of_line <= slice0_best_tag_end_of_line;
+      if slice1_best_cost_0_0_is_less then
+        slice1_best_cost_0_0 <= slice1winner3_best_cost_0_0;
+        slice1_best_index_0_0 <= (((slice1winner3_best_index_0_0 / 2) + 3) * 2) + (slice1winner3_best_index_0_0 mod 2);
+        slice1_best_below_0_0 <= slice1_best_below_0_0_choice;
+        slice1_best_above_0_0 <= slice1winner3_best_above_0_0;
+      else
+        slice1_best_cost_0_0 <= slice0winner3_best_late_cost_0_0;
+        slice1_best_index_0_0 <= slice0_best_index_0_0;
+        slice1_best_below_0_0 <= slice0_best_below_0_0;
+        slice1_best_above_0_0 <= slice1_best_above_0_0_choice;
+      end if;
+      if (slice1_best_second_0_0_choice_2 - slice1_best_second_0_0_choice_4) < 0 then
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_2;
+      else
+        slice1_best_second_0_0 <= slice1_best_second_0_0_choice_4;
+      end if;
       -- refinement
       refinement_below_0_differs := slice1_best_index_0_0 /= 0;
       refinement_below_0_differs_2 := slice1_best_below_0_0 /= 511;
       refinement_below_0_all := refinement_below_0_differs and refinement_below_0_differs_2;
-      refinement_above_0_choice := refinement_below_0_all when slice1_best_index_0_0 = 11 else
-        refinement_below_0_differs and (slice1_best_above_0_0 = 511) and refinement_below_0_differs_2;
+      if slice1_best_index_0_0 = 11 then
+        refinement_above_0_choice := refinement_below_0_all;
+      else
+        refinement_above_0_choice := refinement_below_0_differs and (slice1_best_above_0_0 = 511) and
+          refinement_below_0_differs_2;
+      end if;
       refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 1024) - refinement_divisor_0_0;
       refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 1024) - refinement_divisor_1_0;
       refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 1024) - refinement_divisor_2_0;
@@ -3128,7 +4106,11 @@ begin
       refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 1024) - refinement_divisor_5_0;
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 1024) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -3156,8 +4138,6 @@ begin
       refinement_passed_0_0 <= slice1_best_cost_0_0 /= 511;
       refinement_passed_1_0 <= refinement_passed_0_0;
       refinement_passed_2_0 <= refinement_passed_1_0;
-      refinement_passed_3_0 <= refinement_passed_2_0 when refinement_alone_1_0 else refinement_passed_2_0 and
-        ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
       refinement_passed_6_0 <= refinement_passed_5_0;
@@ -3227,32 +4207,14 @@ begin
       refinement_tag_11_start_of_frame <= refinement_tag_10_start_of_frame;
       refinement_tag_11_end_of_line <= refinement_tag_10_end_of_line;
       refinement_alone_0_0 <= slice1_best_second_0_0 = 511;
-      refinement_alone_1_0 <= ((refinement_percent mod 16) = 0) or refinement_alone_0_0 when (refinement_percent / 16)
-        = 0 else refinement_alone_0_0;
       refinement_gap_0 <= (slice1_best_second_0_0 - slice1_best_late_cost_0_0) mod 512;
       refinement_lowest_0 <= slice1_best_late_cost_0_0;
       refinement_scaled_gap_0 <= (refinement_gap_0 * 25) * 4;
       refinement_scaled_cost_0 <= refinement_lowest_0 * refinement_percent;
-      refinement_below_0 <= slice1_best_below_0_0 when refinement_below_0_all else slice1_best_above_0_0;
-      refinement_above_0 <= slice1_best_below_0_0 when refinement_above_0_choice else slice1_best_above_0_0;
       refinement_u_0 <= (refinement_below_0 - slice1_best_late_cost_0_0) mod 512;
       refinement_v_0 <= (refinement_above_0 - slice1_best_late_cost_0_0) mod 512;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 512 when (refinement_remainder_1_0_difference
-        / 1024) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 512 when (refinement_remainder_2_0_difference
-        / 1024) = 1 else (refinement_remainder_1_0 mod 256) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 512 when (refinement_remainder_3_0_difference
-        / 1024) = 1 else (refinement_remainder_2_0 mod 256) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 512 when (refinement_remainder_4_0_difference
-        / 1024) = 1 else (refinement_remainder_3_0 mod 256) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 512 when (refinement_remainder_5_0_difference
-        / 1024) = 1 else (refinement_remainder_4_0 mod 256) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 512 when (refinement_remainder_6_0_difference
-        / 1024) = 1 else (refinement_remainder_5_0 mod 256) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 512 when (refinement_remainder_7_0_difference
-        / 1024) = 1 else (refinement_remainder_6_0 mod 256) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 9)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 9))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
@@ -3274,103 +4236,239 @@ begin
       refinement_negative_7_0 <= refinement_negative_6_0;
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 4) * 8) + refinement_fraction_0_choice_2;
+      if refinement_alone_1_0 then
+        refinement_passed_3_0 <= refinement_passed_2_0;
+      else
+        refinement_passed_3_0 <= refinement_passed_2_0 and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
+      end if;
+      if (refinement_percent / 16) = 0 then
+        refinement_alone_1_0 <= ((refinement_percent mod 16) = 0) or refinement_alone_0_0;
+      else
+        refinement_alone_1_0 <= refinement_alone_0_0;
+      end if;
+      if refinement_below_0_all then
+        refinement_below_0 <= slice1_best_below_0_0;
+      else
+        refinement_below_0 <= slice1_best_above_0_0;
+      end if;
+      if refinement_above_0_choice then
+        refinement_above_0 <= slice1_best_below_0_0;
+      else
+        refinement_above_0 <= slice1_best_above_0_0;
+      end if;
+      if (refinement_remainder_1_0_difference / 1024) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 512;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_2_0_difference / 1024) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 512;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 1024) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 512;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 1024) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 512;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 1024) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 512;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 1024) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 512;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 256) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 1024) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 512;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 256) * 2;
+      end if;
       if not ((not refinement_tag_0_valid) or (not refinement_tag_0_start_of_frame) or (not refinement_tag_0_output_column)) then
         refinement_percent <= settings_uniqueness_percent;
       end if;
       -- leftright
       leftright_holds_winners_all := (leftright_ring_read_address /= 0) and (not leftright_holds_winners);
       leftright_checked_passed_0_difference := leftright_answered_disparity_0 - to_integer(leftright_found_0);
-      leftright_checked_tag_row_start_choice := (not ((map_counter_group mod 2) = 1)) or (not (((map_counter_group / 2)
-        mod 2) = 1)) when (size_windows_idle mod 2) = 1 else not (((map_counter_group / 2) mod 2) = 1);
+      if (size_windows_idle mod 2) = 1 then
+        leftright_checked_tag_row_start_choice := (not ((map_counter_group mod 2) = 1)) or (not (((map_counter_group /
+          2) mod 2) = 1));
+      else
+        leftright_checked_tag_row_start_choice := not (((map_counter_group / 2) mod 2) = 1);
+      end if;
       leftright_checked_tag_row_start_is_equal := (map_counter_group mod 4) = 0;
-      leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start_choice when
-        raster_place_group_value_2 else ((size_windows_idle mod 2) = 1) and leftright_checked_tag_row_start_is_equal;
+      if raster_place_group_value_2 then
+        leftright_checked_tag_row_start_choice_2 := leftright_checked_tag_row_start_choice;
+      else
+        leftright_checked_tag_row_start_choice_2 := ((size_windows_idle mod 2) = 1) and
+          leftright_checked_tag_row_start_is_equal;
+      end if;
       leftright_checked_tag_row_start_value := ((map_counter_group / 4) mod 2) = 1;
-      leftright_checked_tag_row_start_choice_3 := (not raster_place_group_value_4) and
-        leftright_checked_tag_row_start_value when leftright_checked_tag_row_start_choice_2 else (not
-        raster_place_group_value_4) or leftright_checked_tag_row_start_value;
+      if leftright_checked_tag_row_start_choice_2 then
+        leftright_checked_tag_row_start_choice_3 := (not raster_place_group_value_4) and
+          leftright_checked_tag_row_start_value;
+      else
+        leftright_checked_tag_row_start_choice_3 := (not raster_place_group_value_4) or
+          leftright_checked_tag_row_start_value;
+      end if;
       leftright_checked_tag_row_start_value_2 := ((map_counter_group / 8) mod 2) = 1;
-      leftright_checked_tag_row_start_choice_4 := (not raster_place_group_value_6) or
-        leftright_checked_tag_row_start_value_2 when leftright_checked_tag_row_start_choice_3 else (not
-        raster_place_group_value_6) and leftright_checked_tag_row_start_value_2;
+      if leftright_checked_tag_row_start_choice_3 then
+        leftright_checked_tag_row_start_choice_4 := (not raster_place_group_value_6) or
+          leftright_checked_tag_row_start_value_2;
+      else
+        leftright_checked_tag_row_start_choice_4 := (not raster_place_group_value_6) and
+          leftright_checked_tag_row_start_value_2;
+      end if;
       leftright_checked_tag_row_start_value_3 := ((size_map_last_column / 16) mod 2) = 1;
-      leftright_checked_tag_row_start_choice_5 := (map_counter_column / 16) = 3 when
-        leftright_checked_tag_row_start_value_3 else (map_counter_column / 16) = 2;
-      leftright_checked_tag_row_start_choice_6 := (map_counter_column / 16) = 1 when
-        leftright_checked_tag_row_start_value_3 else (map_counter_column / 16) = 0;
-      leftright_checked_tag_row_start_choice_7 := leftright_checked_tag_row_start_choice_5 when (size_map_last_column /
-        32) = 1 else leftright_checked_tag_row_start_choice_6;
+      if leftright_checked_tag_row_start_value_3 then
+        leftright_checked_tag_row_start_choice_5 := (map_counter_column / 16) = 3;
+      else
+        leftright_checked_tag_row_start_choice_5 := (map_counter_column / 16) = 2;
+      end if;
+      if leftright_checked_tag_row_start_value_3 then
+        leftright_checked_tag_row_start_choice_6 := (map_counter_column / 16) = 1;
+      else
+        leftright_checked_tag_row_start_choice_6 := (map_counter_column / 16) = 0;
+      end if;
+      if (size_map_last_column / 32) = 1 then
+        leftright_checked_tag_row_start_choice_7 := leftright_checked_tag_row_start_choice_5;
+      else
+        leftright_checked_tag_row_start_choice_7 := leftright_checked_tag_row_start_choice_6;
+      end if;
       leftright_checked_tag_row_start_value_4 := ((size_map_last_column / 2) mod 2) = 1;
       leftright_checked_tag_row_start_value_5 := (map_counter_column / 2) mod 4;
-      leftright_checked_tag_row_start_choice_8 := leftright_checked_tag_row_start_value_5 = 3 when
-        leftright_checked_tag_row_start_value_4 else leftright_checked_tag_row_start_value_5 = 2;
-      leftright_checked_tag_row_start_choice_9 := leftright_checked_tag_row_start_value_5 = 1 when
-        leftright_checked_tag_row_start_value_4 else leftright_checked_tag_row_start_value_5 = 0;
-      leftright_checked_tag_row_start_choice_10 := leftright_checked_tag_row_start_choice_8 when ((size_map_last_column
-        / 4) mod 2) = 1 else leftright_checked_tag_row_start_choice_9;
+      if leftright_checked_tag_row_start_value_4 then
+        leftright_checked_tag_row_start_choice_8 := leftright_checked_tag_row_start_value_5 = 3;
+      else
+        leftright_checked_tag_row_start_choice_8 := leftright_checked_tag_row_start_value_5 = 2;
+      end if;
+      if leftright_checked_tag_row_start_value_4 then
+        leftright_checked_tag_row_start_choice_9 := leftright_checked_tag_row_start_value_5 = 1;
+      else
+        leftright_checked_tag_row_start_choice_9 := leftright_checked_tag_row_start_value_5 = 0;
+      end if;
+      if ((size_map_last_column / 4) mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_10 := leftright_checked_tag_row_start_choice_8;
+      else
+        leftright_checked_tag_row_start_choice_10 := leftright_checked_tag_row_start_choice_9;
+      end if;
       leftright_checked_tag_row_start_differs := ((size_map_last_column mod 2) = 1) /= (not ((map_counter_column mod 2)
         = 1));
       leftright_checked_tag_row_start_differs_2 := (((size_map_last_column / 8) mod 2) = 1) /= (not
         (((map_counter_column / 8) mod 2) = 1));
-      leftright_checked_tag_row_start_choice_11 := leftright_checked_tag_row_start_choice_7 and
-        leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
-        leftright_checked_tag_row_start_differs_2 and ((size_windows_idle / 16) = 1) and (not ((map_counter_group / 16)
-        = 1)) when leftright_checked_tag_row_start_choice_4 else leftright_checked_tag_row_start_choice_7 and
-        leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
-        leftright_checked_tag_row_start_differs_2 and (((size_windows_idle / 16) = 1) or (not ((map_counter_group / 16)
-        = 1)));
+      if leftright_checked_tag_row_start_choice_4 then
+        leftright_checked_tag_row_start_choice_11 := leftright_checked_tag_row_start_choice_7 and
+          leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
+          leftright_checked_tag_row_start_differs_2 and ((size_windows_idle / 16) = 1) and (not ((map_counter_group /
+          16) = 1));
+      else
+        leftright_checked_tag_row_start_choice_11 := leftright_checked_tag_row_start_choice_7 and
+          leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
+          leftright_checked_tag_row_start_differs_2 and (((size_windows_idle / 16) = 1) or (not ((map_counter_group /
+          16) = 1)));
+      end if;
       leftright_checked_tag_row_start_value_6 := ((size_windows_groups / 8) mod 2) = 1;
       leftright_checked_tag_row_start_is_equal_2 := (map_counter_group / 8) = 3;
       leftright_checked_tag_row_start_is_equal_3 := (map_counter_group / 8) = 2;
-      leftright_checked_tag_row_start_choice_12 := leftright_checked_tag_row_start_is_equal_2 when
-        leftright_checked_tag_row_start_value_6 else leftright_checked_tag_row_start_is_equal_3;
+      if leftright_checked_tag_row_start_value_6 then
+        leftright_checked_tag_row_start_choice_12 := leftright_checked_tag_row_start_is_equal_2;
+      else
+        leftright_checked_tag_row_start_choice_12 := leftright_checked_tag_row_start_is_equal_3;
+      end if;
       leftright_checked_tag_row_start_is_equal_4 := (map_counter_group / 8) = 1;
       leftright_checked_tag_row_start_is_equal_5 := (map_counter_group / 8) = 0;
-      leftright_checked_tag_row_start_choice_13 := leftright_checked_tag_row_start_is_equal_4 when
-        leftright_checked_tag_row_start_value_6 else leftright_checked_tag_row_start_is_equal_5;
-      leftright_checked_tag_row_start_choice_14 := leftright_checked_tag_row_start_choice_12 when (size_windows_groups
-        / 16) = 1 else leftright_checked_tag_row_start_choice_13;
+      if leftright_checked_tag_row_start_value_6 then
+        leftright_checked_tag_row_start_choice_13 := leftright_checked_tag_row_start_is_equal_4;
+      else
+        leftright_checked_tag_row_start_choice_13 := leftright_checked_tag_row_start_is_equal_5;
+      end if;
+      if (size_windows_groups / 16) = 1 then
+        leftright_checked_tag_row_start_choice_14 := leftright_checked_tag_row_start_choice_12;
+      else
+        leftright_checked_tag_row_start_choice_14 := leftright_checked_tag_row_start_choice_13;
+      end if;
       leftright_checked_tag_row_start_is_equal_6 := (map_counter_group mod 4) = 3;
       leftright_checked_tag_row_start_is_equal_7 := (map_counter_group mod 4) = 2;
-      leftright_checked_tag_row_start_choice_15 := leftright_checked_tag_row_start_is_equal_6 when (size_windows_groups
-        mod 2) = 1 else leftright_checked_tag_row_start_is_equal_7;
+      if (size_windows_groups mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_15 := leftright_checked_tag_row_start_is_equal_6;
+      else
+        leftright_checked_tag_row_start_choice_15 := leftright_checked_tag_row_start_is_equal_7;
+      end if;
       leftright_checked_tag_row_start_is_equal_8 := (map_counter_group mod 4) = 1;
-      leftright_checked_tag_row_start_choice_16 := leftright_checked_tag_row_start_is_equal_8 when (size_windows_groups
-        mod 2) = 1 else leftright_checked_tag_row_start_is_equal;
-      leftright_checked_tag_row_start_choice_17 := leftright_checked_tag_row_start_choice_15 when ((size_windows_groups
-        / 2) mod 2) = 1 else leftright_checked_tag_row_start_choice_16;
+      if (size_windows_groups mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_16 := leftright_checked_tag_row_start_is_equal_8;
+      else
+        leftright_checked_tag_row_start_choice_16 := leftright_checked_tag_row_start_is_equal;
+      end if;
+      if ((size_windows_groups / 2) mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_17 := leftright_checked_tag_row_start_choice_15;
+      else
+        leftright_checked_tag_row_start_choice_17 := leftright_checked_tag_row_start_choice_16;
+      end if;
       leftright_checked_tag_row_start_differs_3 := (((size_windows_groups / 4) mod 2) = 1) /= (not
         leftright_checked_tag_row_start_value);
       leftright_checked_tag_row_start_all := leftright_checked_tag_row_start_choice_14 and
         leftright_checked_tag_row_start_choice_17 and leftright_checked_tag_row_start_differs_3;
-      leftright_checked_tag_row_start_choice_18 := (not leftright_checked_tag_row_start_all) and
-        leftright_checked_tag_row_start when leftright_checked_tag_row_start_choice_11 else
-        leftright_checked_tag_row_start;
+      if leftright_checked_tag_row_start_choice_11 then
+        leftright_checked_tag_row_start_choice_18 := (not leftright_checked_tag_row_start_all) and
+          leftright_checked_tag_row_start;
+      else
+        leftright_checked_tag_row_start_choice_18 := leftright_checked_tag_row_start;
+      end if;
       leftright_checked_tag_row_start_value_7 := ((size_windows_last_group / 8) mod 2) = 1;
-      leftright_checked_tag_row_start_choice_19 := leftright_checked_tag_row_start_is_equal_2 when
-        leftright_checked_tag_row_start_value_7 else leftright_checked_tag_row_start_is_equal_3;
-      leftright_checked_tag_row_start_choice_20 := leftright_checked_tag_row_start_is_equal_4 when
-        leftright_checked_tag_row_start_value_7 else leftright_checked_tag_row_start_is_equal_5;
-      leftright_checked_tag_row_start_choice_21 := leftright_checked_tag_row_start_choice_19 when
-        (size_windows_last_group / 16) = 1 else leftright_checked_tag_row_start_choice_20;
-      leftright_checked_tag_row_start_choice_22 := leftright_checked_tag_row_start_is_equal_6 when
-        (size_windows_last_group mod 2) = 1 else leftright_checked_tag_row_start_is_equal_7;
-      leftright_checked_tag_row_start_choice_23 := leftright_checked_tag_row_start_is_equal_8 when
-        (size_windows_last_group mod 2) = 1 else leftright_checked_tag_row_start_is_equal;
-      leftright_checked_tag_row_start_choice_24 := leftright_checked_tag_row_start_choice_22 when
-        ((size_windows_last_group / 2) mod 2) = 1 else leftright_checked_tag_row_start_choice_23;
+      if leftright_checked_tag_row_start_value_7 then
+        leftright_checked_tag_row_start_choice_19 := leftright_checked_tag_row_start_is_equal_2;
+      else
+        leftright_checked_tag_row_start_choice_19 := leftright_checked_tag_row_start_is_equal_3;
+      end if;
+      if leftright_checked_tag_row_start_value_7 then
+        leftright_checked_tag_row_start_choice_20 := leftright_checked_tag_row_start_is_equal_4;
+      else
+        leftright_checked_tag_row_start_choice_20 := leftright_checked_tag_row_start_is_equal_5;
+      end if;
+      if (size_windows_last_group / 16) = 1 then
+        leftright_checked_tag_row_start_choice_21 := leftright_checked_tag_row_start_choice_19;
+      else
+        leftright_checked_tag_row_start_choice_21 := leftright_checked_tag_row_start_choice_20;
+      end if;
+      if (size_windows_last_group mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_22 := leftright_checked_tag_row_start_is_equal_6;
+      else
+        leftright_checked_tag_row_start_choice_22 := leftright_checked_tag_row_start_is_equal_7;
+      end if;
+      if (size_windows_last_group mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_23 := leftright_checked_tag_row_start_is_equal_8;
+      else
+        leftright_checked_tag_row_start_choice_23 := leftright_checked_tag_row_start_is_equal;
+      end if;
+      if ((size_windows_last_group / 2) mod 2) = 1 then
+        leftright_checked_tag_row_start_choice_24 := leftright_checked_tag_row_start_choice_22;
+      else
+        leftright_checked_tag_row_start_choice_24 := leftright_checked_tag_row_start_choice_23;
+      end if;
       leftright_checked_tag_row_start_differs_4 := transform_counter_group_value_4 /= (not
         leftright_checked_tag_row_start_value);
       leftright_checked_tag_row_start_all_2 := leftright_checked_tag_row_start_choice_21 and
         leftright_checked_tag_row_start_choice_24 and leftright_checked_tag_row_start_differs_4 and
         leftright_checked_tag_row_start_choice_7 and leftright_checked_tag_row_start_choice_10 and
         leftright_checked_tag_row_start_differs and leftright_checked_tag_row_start_differs_2;
-      leftright_checked_tag_row_start_choice_25 := leftright_checked_tag_row_start_all_2 or (not
-        leftright_checked_tag_start_of_frame) when leftright_checked_tag_row_start_choice_18 else
-        leftright_checked_tag_row_start_choice_21 and leftright_checked_tag_row_start_choice_24 and
-        leftright_checked_tag_row_start_differs_4 and leftright_checked_tag_row_start_choice_7 and
-        leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
-        leftright_checked_tag_row_start_differs_2 and leftright_checked_tag_start_of_frame;
+      if leftright_checked_tag_row_start_choice_18 then
+        leftright_checked_tag_row_start_choice_25 := leftright_checked_tag_row_start_all_2 or (not
+          leftright_checked_tag_start_of_frame);
+      else
+        leftright_checked_tag_row_start_choice_25 := leftright_checked_tag_row_start_choice_21 and
+          leftright_checked_tag_row_start_choice_24 and leftright_checked_tag_row_start_differs_4 and
+          leftright_checked_tag_row_start_choice_7 and leftright_checked_tag_row_start_choice_10 and
+          leftright_checked_tag_row_start_differs and leftright_checked_tag_row_start_differs_2 and
+          leftright_checked_tag_start_of_frame;
+      end if;
       leftright_checked_tag_row_start_all_3 := leftright_checked_tag_valid and leftright_checked_tag_map_column;
       leftright_other_1_0 <= slice1other_winner_out_0;
       leftright_other_2_0 <= leftright_other_1_0;
@@ -3386,8 +4484,6 @@ begin
       leftright_other_12_0 <= leftright_other_11_0;
       leftright_other_13_0 <= leftright_other_12_0;
       leftright_other_14_0 <= leftright_other_13_0;
-      leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners when
-        leftright_holds_winners_all else refinement_tag_11_valid or leftright_holds_winners;
       leftright_position <= (leftright_position + as_number(refinement_tag_11_valid)) mod 16;
       leftright_held_position <= leftright_position;
       leftright_held_valid <= (not leftright_holds_winners_all) and refinement_tag_11_valid;
@@ -3412,34 +4508,63 @@ begin
       leftright_checked_passed_0 <= leftright_answered_passed_0 and ((leftright_checked_passed_0_difference - (0 -
         leftright_threshold)) >= 0) and ((leftright_threshold - leftright_checked_passed_0_difference) >= 0);
       leftright_checked_tag_valid <= leftright_answered_tag_valid;
-      leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_3 when
-        leftright_checked_tag_row_start_choice_25 else leftright_checked_tag_row_start and ((not
-        leftright_checked_tag_valid) or (not leftright_checked_tag_map_column));
       leftright_checked_tag_map_column <= leftright_answered_tag_map_column;
       leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
       leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if leftright_holds_winners_all then
+        leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners;
+      else
+        leftright_holds_winners <= refinement_tag_11_valid or leftright_holds_winners;
+      end if;
+      if leftright_checked_tag_row_start_choice_25 then
+        leftright_checked_tag_row_start <= leftright_checked_tag_row_start or leftright_checked_tag_row_start_all_3;
+      else
+        leftright_checked_tag_row_start <= leftright_checked_tag_row_start and ((not leftright_checked_tag_valid) or
+          (not leftright_checked_tag_map_column));
+      end if;
       if refinement_tag_11_valid then
-        leftright_ring_read_address <= 0 when leftright_ring_read_address = 11 else (leftright_ring_read_address + 1)
-          mod 16;
         leftright_ring_write_address <= leftright_ring_read_address;
+        if leftright_ring_read_address = 11 then
+          leftright_ring_read_address <= 0;
+        else
+          leftright_ring_read_address <= (leftright_ring_read_address + 1) mod 16;
+        end if;
       end if;
       if not ((not leftright_asking_tag_valid) or (not leftright_asking_tag_start_of_frame) or (not leftright_asking_tag_output_column)) then
         leftright_threshold <= settings_left_right_threshold;
       end if;
       -- map
       if leftright_checked_tag_row_start_all_3 then
-        map_counter_column <= 0 when (leftright_checked_tag_row_start_choice_7 and
-          leftright_checked_tag_row_start_choice_10 and leftright_checked_tag_row_start_differs and
-          leftright_checked_tag_row_start_differs_2) or leftright_checked_tag_start_of_frame else (map_counter_column +
-          1) mod 64;
+        if (leftright_checked_tag_row_start_choice_7 and leftright_checked_tag_row_start_choice_10 and
+          leftright_checked_tag_row_start_differs and leftright_checked_tag_row_start_differs_2) or
+          leftright_checked_tag_start_of_frame then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 64;
+        end if;
       end if;
-      map_counter_group_choice := size_windows_groups when leftright_checked_tag_row_start_all_2 else 0;
-      map_counter_group_choice_2 := 1 when leftright_checked_tag_row_start_choice_14 and
-        leftright_checked_tag_row_start_choice_17 and leftright_checked_tag_row_start_differs_3 and
-        leftright_checked_tag_row_start else (map_counter_group + 1) mod 32;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when leftright_checked_tag_row_start_choice_11 and
-        leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group;
-      map_line_ended_choice := leftright_checked_tag_map_column when leftright_checked_tag_valid else map_line_ended;
+      if leftright_checked_tag_row_start_all_2 then
+        map_counter_group_choice := size_windows_groups;
+      else
+        map_counter_group_choice := 0;
+      end if;
+      if leftright_checked_tag_row_start_choice_14 and leftright_checked_tag_row_start_choice_17 and
+        leftright_checked_tag_row_start_differs_3 and leftright_checked_tag_row_start then
+        map_counter_group_choice_2 := 1;
+      else
+        map_counter_group_choice_2 := (map_counter_group + 1) mod 32;
+      end if;
+      if leftright_checked_tag_row_start_choice_11 and leftright_checked_tag_valid and leftright_checked_tag_map_column
+        then
+        map_counter_group_choice_3 := map_counter_group_choice_2;
+      else
+        map_counter_group_choice_3 := map_counter_group;
+      end if;
+      if leftright_checked_tag_valid then
+        map_line_ended_choice := leftright_checked_tag_map_column;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_8(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
@@ -3451,8 +4576,16 @@ begin
       else
         map_of_column_0_c_choice := map_column_2 / 2;
       end if;
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
       if map_of_column_0_c_below_b then
         map_sorted_middle_0_choice := map_of_column_0_b;
       else
@@ -3473,32 +4606,81 @@ begin
       else
         map_sorted_high_0_choice_2 := map_of_column_0_c;
       end if;
-      map_window_complete_choice := map_sorted_arrives when ((map_sorted_column / 2) mod 2) = 1 else
-        ((map_sorted_column mod 2) = 1) and map_sorted_arrives;
-      map_window_complete_choice_2 := map_window_complete_choice when (map_sorted_column / 4) = 0 else
-        map_sorted_arrives;
-      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
-        map_median_middle_0_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_counter_group <= map_counter_group_choice when leftright_checked_tag_start_of_frame and
-        leftright_checked_tag_valid and leftright_checked_tag_map_column else map_counter_group_choice_3;
+      if ((map_sorted_column / 2) mod 2) = 1 then
+        map_window_complete_choice := map_sorted_arrives;
+      else
+        map_window_complete_choice := ((map_sorted_column mod 2) = 1) and map_sorted_arrives;
+      end if;
+      if (map_sorted_column / 4) = 0 then
+        map_window_complete_choice_2 := map_window_complete_choice;
+      else
+        map_window_complete_choice_2 := map_sorted_arrives;
+      end if;
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice := map_of_low_0_a;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice_2 := map_of_low_0_b;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_2 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_4 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
       map_counter_next_frame <= to_integer(other_8(40 downto 40)) = 1;
       map_newest_0 <= ((((((((leftright_checked_disparity_0 + 4095) mod 2048) * 2) + (leftright_checked_fraction_0 / 8)
         + 1) mod 4096) * 8) + (leftright_checked_fraction_0 mod 8)) * 2) + as_number(leftright_checked_passed_0);
       map_arrives <= leftright_checked_tag_row_start_all_3;
       map_behind <= map_line_ended and leftright_checked_tag_valid;
-      map_line_ended <= map_line_ended_choice when leftright_checked_tag_end_of_line else map_line_ended and (not
-        leftright_checked_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -3527,14 +4709,6 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
-        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
-      map_window_complete <= map_sorted_output when map_window_complete_choice_2 else map_sorted_output and
-        map_sorted_behind;
       map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
       map_window_last <= map_sorted_behind;
       map_of_low_0_a <= map_low_0_0;
@@ -3555,10 +4729,6 @@ begin
       map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
-        map_median_middle_0_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
@@ -3577,30 +4747,96 @@ begin
       map_waiting_passed_0_0 <= map_passed_1_0;
       map_waiting_passed_1_0 <= map_waiting_passed_0_0;
       map_waiting_passed_2_0 <= map_waiting_passed_1_0;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if leftright_checked_tag_start_of_frame and leftright_checked_tag_valid and leftright_checked_tag_map_column then
+        map_counter_group <= map_counter_group_choice;
+      else
+        map_counter_group <= map_counter_group_choice_3;
+      end if;
+      if leftright_checked_tag_end_of_line then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= map_line_ended and (not leftright_checked_tag_valid);
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_passed_0_0 then
+        map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind;
+      else
+        map_passed_1_0 <= map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      end if;
+      if map_window_complete_choice_2 then
+        map_window_complete <= map_sorted_output;
+      else
+        map_window_complete <= map_sorted_output and map_sorted_behind;
+      end if;
+      if map_of_low_0_b_below_a then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 8192) + (map_rows_ready_newest_0 * 8192);
         map_at_column <= to_integer(other_8(5 downto 0));
       end if;
-      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_0_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
       map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
-      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_0_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
       map_low_0_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_0_all then
         map_low_0_0 <= map_low_0_0_choice;
-        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
         map_middle_0_0 <= map_middle_0_0_choice;
-        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
         map_high_0_0 <= map_high_0_0_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
+        if map_low_1_0_all then
+          map_low_1_0 <= map_low_0_0_choice;
+          map_middle_1_0 <= map_middle_0_0_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+        else
+          map_low_1_0 <= map_low_0_0;
+          map_middle_1_0 <= map_middle_0_0;
+          map_high_1_0 <= map_high_0_0;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;
@@ -3609,52 +4845,81 @@ begin
       other_17_is_equal := ((settings_last_disparity / 2) mod 4) = 0;
       other_17_is_equal_2 := (settings_last_disparity / 16) = 0;
       other_17_is_equal_3 := (settings_first_disparity / 16) = 0;
-      other_18_choice := slice1mask_searched_5_value when (settings_last_disparity mod 2) = 1 else
-        slice1mask_searched_5_all;
-      other_18_choice_2 := (not (((settings_first_disparity / 16) mod 2) = 1)) and (((settings_first_disparity / 2) mod
-        4) = 0) when slice1mask_searched_5_value_4 else not (((settings_first_disparity / 16) mod 2) = 1);
+      if (settings_last_disparity mod 2) = 1 then
+        other_18_choice := slice1mask_searched_5_value;
+      else
+        other_18_choice := slice1mask_searched_5_all;
+      end if;
+      if slice1mask_searched_5_value_4 then
+        other_18_choice_2 := (not (((settings_first_disparity / 16) mod 2) = 1)) and (((settings_first_disparity / 2)
+          mod 4) = 0);
+      else
+        other_18_choice_2 := not (((settings_first_disparity / 16) mod 2) = 1);
+      end if;
       other_18_value := ((settings_last_disparity / 32) mod 2) = 1;
-      other_18_choice_3 := other_18_choice_2 and slice1mask_searched_5_is_equal and slice0window_tag_start_of_frame and
-        slice1window_centre_output_column_1 and slice0window_tag_valid and other_18_value when (not other_18_choice)
-        and (not ((settings_last_disparity / 128) = 1)) and (not slice1mask_searched_5_value_6) and (not
-        (((settings_last_disparity / 16) mod 2) = 1)) else other_18_choice_2 and slice1mask_searched_5_is_equal and
-        slice0window_tag_start_of_frame and slice1window_centre_output_column_1 and slice0window_tag_valid;
+      if (not other_18_choice) and (not ((settings_last_disparity / 128) = 1)) and (not slice1mask_searched_5_value_6)
+        and (not (((settings_last_disparity / 16) mod 2) = 1)) then
+        other_18_choice_3 := other_18_choice_2 and slice1mask_searched_5_is_equal and slice0window_tag_start_of_frame
+          and slice1window_centre_output_column_1 and slice0window_tag_valid and other_18_value;
+      else
+        other_18_choice_3 := other_18_choice_2 and slice1mask_searched_5_is_equal and slice0window_tag_start_of_frame
+          and slice1window_centre_output_column_1 and slice0window_tag_valid;
+      end if;
       other_22_any := (not slice1mask_searched_5_value_2) or (not slice1mask_searched_5_value_3);
       other_22_all := (not (((settings_last_disparity / 16) mod 2) = 1)) and other_22_any;
-      other_22_choice := (not (((settings_last_disparity / 16) mod 2) = 1)) and (not slice1mask_searched_5_value_2)
-        when (settings_last_disparity mod 2) = 1 else other_22_all;
+      if (settings_last_disparity mod 2) = 1 then
+        other_22_choice := (not (((settings_last_disparity / 16) mod 2) = 1)) and (not slice1mask_searched_5_value_2);
+      else
+        other_22_choice := other_22_all;
+      end if;
       other_22_value := ((settings_first_disparity / 2) mod 2) = 1;
       other_22_any_2 := (not slice1mask_searched_5_value_5) or (not other_22_value);
       other_22_is_equal := (settings_first_disparity / 8) = 0;
-      other_22_choice_2 := other_22_any_2 and other_22_is_equal and slice0window_change_tag_valid and
-        slice1window_centre_start_of_frame_0 and slice0window_centre_output_column_1 and other_18_value when
-        other_22_choice and (not ((settings_last_disparity / 128) = 1)) and (not slice1mask_searched_5_value_6) and
-        (not slice1mask_searched_5_value) else other_22_any_2 and other_22_is_equal and slice0window_change_tag_valid
-        and slice1window_centre_start_of_frame_0 and slice0window_centre_output_column_1;
+      if other_22_choice and (not ((settings_last_disparity / 128) = 1)) and (not slice1mask_searched_5_value_6) and
+        (not slice1mask_searched_5_value) then
+        other_22_choice_2 := other_22_any_2 and other_22_is_equal and slice0window_change_tag_valid and
+          slice1window_centre_start_of_frame_0 and slice0window_centre_output_column_1 and other_18_value;
+      else
+        other_22_choice_2 := other_22_any_2 and other_22_is_equal and slice0window_change_tag_valid and
+          slice1window_centre_start_of_frame_0 and slice0window_centre_output_column_1;
+      end if;
       other_22_all_2 := slice0window_change_tag_valid and slice1window_centre_start_of_frame_0 and
         slice0window_centre_output_column_1;
-      other_24_choice := (not other_18_value) and other_17_is_equal when (settings_last_disparity mod 2) = 1 else (not
-        other_18_value) and (not slice1mask_searched_5_value_2);
+      if (settings_last_disparity mod 2) = 1 then
+        other_24_choice := (not other_18_value) and other_17_is_equal;
+      else
+        other_24_choice := (not other_18_value) and (not slice1mask_searched_5_value_2);
+      end if;
       other_24_is_equal := (settings_first_disparity / 4) = 0;
-      other_24_choice_2 := other_24_is_equal and slice0window_change_tag_valid and slice1window_centre_start_of_frame_0
-        and slice0window_centre_output_column_1 and slice1mask_searched_5_value_6 when other_24_choice and (not
-        ((settings_last_disparity / 128) = 1)) and (((settings_last_disparity / 8) mod 4) = 0) else other_24_is_equal
-        and slice0window_change_tag_valid and slice1window_centre_start_of_frame_0 and
-        slice0window_centre_output_column_1;
+      if other_24_choice and (not ((settings_last_disparity / 128) = 1)) and (((settings_last_disparity / 8) mod 4) =
+        0) then
+        other_24_choice_2 := other_24_is_equal and slice0window_change_tag_valid and
+          slice1window_centre_start_of_frame_0 and slice0window_centre_output_column_1 and
+          slice1mask_searched_5_value_6;
+      else
+        other_24_choice_2 := other_24_is_equal and slice0window_change_tag_valid and
+          slice1window_centre_start_of_frame_0 and slice0window_centre_output_column_1;
+      end if;
       other_26_is_equal := (settings_first_disparity / 2) = 0;
-      other_26_choice := ((settings_last_disparity mod 16) /= 0) and other_26_is_equal and
-        slice0window_change_tag_valid and slice1window_centre_start_of_frame_0 and slice0window_centre_output_column_1
-        when other_17_is_equal_2 else other_26_is_equal and slice0window_change_tag_valid and
-        slice1window_centre_start_of_frame_0 and slice0window_centre_output_column_1;
-      other_27_choice := (settings_first_disparity mod 16) = 0 when other_22_all_2 else other_27;
+      if other_17_is_equal_2 then
+        other_26_choice := ((settings_last_disparity mod 16) /= 0) and other_26_is_equal and
+          slice0window_change_tag_valid and slice1window_centre_start_of_frame_0 and
+          slice0window_centre_output_column_1;
+      else
+        other_26_choice := other_26_is_equal and slice0window_change_tag_valid and slice1window_centre_start_of_frame_0
+          and slice0window_centre_output_column_1;
+      end if;
+      if other_22_all_2 then
+        other_27_choice := (settings_first_disparity mod 16) = 0;
+      else
+        other_27_choice := other_27;
+      end if;
       other_0 <= as_number(((transform_left_code_row_after_0 - transform_left_code_row_before_0) < 0)) * 8192;
       other_1 <= as_number((((other_2 / 2) - transform_left_code_row_centre_0) < 0)) * 8192;
       other_2 <= ((transform_left_code_row_box_0_0 + transform_left_code_row_column_0_3) / 2) * 2;
       other_3 <= other_4;
       other_4 <= (as_number(transform_valid) * 256) + as_number(((transform_counter_column = 5) and
         (transform_counter_group = 4)));
-      other_5 <= 1 when 1 < in_image_width else (1 - in_image_width) mod 65536;
-      other_6 <= 4 when 4 < in_image_width else (4 - in_image_width) mod 65536;
       other_7 <= ((map_rows_ready_words_0 mod 8192) / 2) * 2;
       other_8 <= other_9;
       other_9 <= to_unsigned(as_number(((((map_counter_group + 65535) mod 65536) - size_windows_groups) < 0)), 1) &
@@ -3683,25 +4948,48 @@ begin
         / 2) /= 0) and slice0window_change_tag_valid and slice1window_centre_start_of_frame_0 and
         slice0window_centre_output_column_1 and other_24_is_equal) or ((not other_22_all_2) and other_25);
       other_26 <= other_26_choice or ((not other_22_all_2) and other_26);
-      other_27 <= other_27_choice when other_17_is_equal_3 else (not other_22_all_2) and other_27;
       other_28 <= (((transform_right_code_next_row_outer_0 / 2) - transform_right_code_next_row_centre_0) mod 32768) *
         2;
       other_29 <= as_number(((transform_right_code_row_after_0 - transform_right_code_row_before_0) < 0)) * 8192;
       other_30 <= as_number((((other_31 / 2) - transform_right_code_row_centre_0) < 0)) * 8192;
       other_31 <= ((transform_right_code_row_box_0_0 + transform_right_code_row_column_0_3) / 2) * 2;
       other_32 <= (((transform_left_code_next_row_outer_0 / 2) - transform_left_code_next_row_centre_0) mod 32768) * 2;
-      other_20_choice := other_22_all when (settings_last_disparity mod 2) = 1 else not (((settings_last_disparity /
-        16) mod 2) = 1);
+      if 1 < in_image_width then
+        other_5 <= 1;
+      else
+        other_5 <= (1 - in_image_width) mod 65536;
+      end if;
+      if 4 < in_image_width then
+        other_6 <= 4;
+      else
+        other_6 <= (4 - in_image_width) mod 65536;
+      end if;
+      if other_17_is_equal_3 then
+        other_27 <= other_27_choice;
+      else
+        other_27 <= (not other_22_all_2) and other_27;
+      end if;
+      if (settings_last_disparity mod 2) = 1 then
+        other_20_choice := other_22_all;
+      else
+        other_20_choice := not (((settings_last_disparity / 16) mod 2) = 1);
+      end if;
       if slice1mask_searched_5_all_2 then
-        other_19 <= (not (slice1mask_searched_5_value_4 and (slice1mask_searched_5_value_5 or other_22_value or
-          ((settings_first_disparity mod 2) = 1)))) and other_17_is_equal_3 and ((settings_last_disparity / 128) = 1)
-          when ((settings_last_disparity / 8) mod 16) = 0 else (not (slice1mask_searched_5_value_4 and
-          (slice1mask_searched_5_value_5 or other_22_value or ((settings_first_disparity mod 2) = 1)))) and
-          other_17_is_equal_3;
-        other_20 <= other_22_is_equal and other_18_value when other_20_choice and (not ((settings_last_disparity / 128)
-          = 1)) and (not slice1mask_searched_5_value_6) and (not slice1mask_searched_5_value) else other_22_is_equal;
         other_21 <= ((not slice1mask_searched_5_value_5) or (not other_22_value) or (not ((settings_first_disparity mod
           2) = 1))) and (not (other_22_any and ((settings_last_disparity / 8) = 0))) and other_22_is_equal;
+        if ((settings_last_disparity / 8) mod 16) = 0 then
+          other_19 <= (not (slice1mask_searched_5_value_4 and (slice1mask_searched_5_value_5 or other_22_value or
+            ((settings_first_disparity mod 2) = 1)))) and other_17_is_equal_3 and ((settings_last_disparity / 128) = 1);
+        else
+          other_19 <= (not (slice1mask_searched_5_value_4 and (slice1mask_searched_5_value_5 or other_22_value or
+            ((settings_first_disparity mod 2) = 1)))) and other_17_is_equal_3;
+        end if;
+        if other_20_choice and (not ((settings_last_disparity / 128) = 1)) and (not slice1mask_searched_5_value_6) and
+          (not slice1mask_searched_5_value) then
+          other_20 <= other_22_is_equal and other_18_value;
+        else
+          other_20 <= other_22_is_equal;
+        end if;
       end if;
       if reset = '1' then
         size_windows_last_column <= 39;

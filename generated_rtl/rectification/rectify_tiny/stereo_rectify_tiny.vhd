@@ -276,166 +276,262 @@ architecture rtl of stereo_rectify_tiny is
   -- other
   signal other_0, other_1, other_2, other_3, other_6, other_7 : natural range 0 to 262143;
   signal other_4, other_5, other_8, other_9 : natural range 0 to 8191;
+  signal leftsampler_rows_even_even_read_word_memory_read_enable : boolean;
+  signal leftsampler_rows_even_even_read_word_memory_read_address : unsigned(6 downto 0);
+  signal leftsampler_rows_even_even_read_word_memory_write_address : unsigned(6 downto 0);
   signal leftsampler_rows_even_even_read_word_memory_write_data : unsigned(7 downto 0);
+  signal leftsampler_rows_even_odd_read_word_memory_read_enable : boolean;
+  signal leftsampler_rows_even_odd_read_word_memory_read_address : unsigned(6 downto 0);
+  signal leftsampler_rows_even_odd_read_word_memory_write_address : unsigned(6 downto 0);
   signal leftsampler_rows_even_odd_read_word_memory_write_data : unsigned(7 downto 0);
+  signal leftsampler_rows_odd_even_read_word_memory_read_enable : boolean;
+  signal leftsampler_rows_odd_even_read_word_memory_read_address : unsigned(6 downto 0);
+  signal leftsampler_rows_odd_even_read_word_memory_write_address : unsigned(6 downto 0);
   signal leftsampler_rows_odd_even_read_word_memory_write_data : unsigned(7 downto 0);
+  signal leftsampler_rows_odd_odd_read_word_memory_read_enable : boolean;
+  signal leftsampler_rows_odd_odd_read_word_memory_read_address : unsigned(6 downto 0);
+  signal leftsampler_rows_odd_odd_read_word_memory_write_address : unsigned(6 downto 0);
   signal leftsampler_rows_odd_odd_read_word_memory_write_data : unsigned(7 downto 0);
+  signal rightsampler_rows_even_even_read_word_memory_read_enable : boolean;
+  signal rightsampler_rows_even_even_read_word_memory_read_address : unsigned(6 downto 0);
+  signal rightsampler_rows_even_even_read_word_memory_write_address : unsigned(6 downto 0);
   signal rightsampler_rows_even_even_read_word_memory_write_data : unsigned(7 downto 0);
+  signal rightsampler_rows_even_odd_read_word_memory_read_enable : boolean;
+  signal rightsampler_rows_even_odd_read_word_memory_read_address : unsigned(6 downto 0);
+  signal rightsampler_rows_even_odd_read_word_memory_write_address : unsigned(6 downto 0);
   signal rightsampler_rows_even_odd_read_word_memory_write_data : unsigned(7 downto 0);
+  signal rightsampler_rows_odd_even_read_word_memory_read_enable : boolean;
+  signal rightsampler_rows_odd_even_read_word_memory_read_address : unsigned(6 downto 0);
+  signal rightsampler_rows_odd_even_read_word_memory_write_address : unsigned(6 downto 0);
   signal rightsampler_rows_odd_even_read_word_memory_write_data : unsigned(7 downto 0);
+  signal rightsampler_rows_odd_odd_read_word_memory_read_enable : boolean;
+  signal rightsampler_rows_odd_odd_read_word_memory_read_address : unsigned(6 downto 0);
+  signal rightsampler_rows_odd_odd_read_word_memory_write_address : unsigned(6 downto 0);
   signal rightsampler_rows_odd_odd_read_word_memory_write_data : unsigned(7 downto 0);
+  signal leftoffsets_nodes_even_even_read_word_memory_read_enable : boolean;
+  signal leftoffsets_nodes_even_even_read_word_memory_read_address : unsigned(3 downto 0);
+  signal leftoffsets_nodes_even_even_read_word_memory_write_address : unsigned(3 downto 0);
   signal leftoffsets_nodes_even_even_read_word_memory_write_data : unsigned(31 downto 0);
+  signal leftoffsets_nodes_even_odd_read_word_memory_read_enable : boolean;
+  signal leftoffsets_nodes_even_odd_read_word_memory_read_address : unsigned(3 downto 0);
+  signal leftoffsets_nodes_even_odd_read_word_memory_write_address : unsigned(3 downto 0);
   signal leftoffsets_nodes_even_odd_read_word_memory_write_data : unsigned(31 downto 0);
+  signal leftoffsets_nodes_odd_even_read_word_memory_read_enable : boolean;
+  signal leftoffsets_nodes_odd_even_read_word_memory_read_address : unsigned(3 downto 0);
+  signal leftoffsets_nodes_odd_even_read_word_memory_write_address : unsigned(3 downto 0);
   signal leftoffsets_nodes_odd_even_read_word_memory_write_data : unsigned(31 downto 0);
+  signal leftoffsets_nodes_odd_odd_read_word_memory_read_enable : boolean;
+  signal leftoffsets_nodes_odd_odd_read_word_memory_read_address : unsigned(3 downto 0);
+  signal leftoffsets_nodes_odd_odd_read_word_memory_write_address : unsigned(3 downto 0);
   signal leftoffsets_nodes_odd_odd_read_word_memory_write_data : unsigned(31 downto 0);
+  signal rightoffsets_nodes_even_even_read_word_memory_read_enable : boolean;
+  signal rightoffsets_nodes_even_even_read_word_memory_read_address : unsigned(3 downto 0);
+  signal rightoffsets_nodes_even_even_read_word_memory_write_address : unsigned(3 downto 0);
   signal rightoffsets_nodes_even_even_read_word_memory_write_data : unsigned(31 downto 0);
+  signal rightoffsets_nodes_even_odd_read_word_memory_read_enable : boolean;
+  signal rightoffsets_nodes_even_odd_read_word_memory_read_address : unsigned(3 downto 0);
+  signal rightoffsets_nodes_even_odd_read_word_memory_write_address : unsigned(3 downto 0);
   signal rightoffsets_nodes_even_odd_read_word_memory_write_data : unsigned(31 downto 0);
+  signal rightoffsets_nodes_odd_even_read_word_memory_read_enable : boolean;
+  signal rightoffsets_nodes_odd_even_read_word_memory_read_address : unsigned(3 downto 0);
+  signal rightoffsets_nodes_odd_even_read_word_memory_write_address : unsigned(3 downto 0);
   signal rightoffsets_nodes_odd_even_read_word_memory_write_data : unsigned(31 downto 0);
+  signal rightoffsets_nodes_odd_odd_read_word_memory_read_enable : boolean;
+  signal rightoffsets_nodes_odd_odd_read_word_memory_read_address : unsigned(3 downto 0);
+  signal rightoffsets_nodes_odd_odd_read_word_memory_write_address : unsigned(3 downto 0);
   signal rightoffsets_nodes_odd_odd_read_word_memory_write_data : unsigned(31 downto 0);
 
 begin
-  in_node_x <= to_integer(unsigned(node_x));
-  in_node_y <= to_integer(unsigned(node_y));
-  in_node_column <= to_integer(unsigned(node_column));
-  in_node_row <= to_integer(unsigned(node_row));
+  in_node_x <= to_integer(unsigned(to_stdlogicvector(to_bitvector(node_x))));
+  in_node_y <= to_integer(unsigned(to_stdlogicvector(to_bitvector(node_y))));
+  in_node_column <= to_integer(unsigned(to_stdlogicvector(to_bitvector(node_column))));
+  in_node_row <= to_integer(unsigned(to_stdlogicvector(to_bitvector(node_row))));
   in_node_valid <= node_valid = '1';
   in_node_right <= node_right = '1';
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   rectified_left <= std_logic_vector(to_unsigned(leftsampler_pixel_row_value, 8));
   rectified_right <= std_logic_vector(to_unsigned(rightsampler_pixel_row_value, 8));
   rectified_start_of_frame <= as_bit(valid_held_9 and starts_held_9);
   rectified_valid <= as_bit(valid_held_9);
 
+  leftsampler_rows_even_even_read_word_memory_read_enable <= true;
+  leftsampler_rows_even_even_read_word_memory_read_address <= to_unsigned(leftsampler_rows_even_even_read_address, 7);
+  leftsampler_rows_even_even_read_word_memory_write_address <= to_unsigned(leftsampler_rows_even_even_write_address, 7);
   leftsampler_rows_even_even_read_word_memory_write_data <= to_unsigned(leftsampler_rows_even_even_write_word, 8);
   leftsampler_rows_even_even_read_word_memory : entity work.line_memory
-    generic map (depth => 68, width => 8)
+    generic map (depth => 68, width => 8, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftsampler_rows_even_even_read_address, read_data => leftsampler_rows_even_even_read_word,
-      write_address => leftsampler_rows_even_even_write_address, write_data => leftsampler_rows_even_even_read_word_memory_write_data);
+      clock => clock, read_enable => leftsampler_rows_even_even_read_word_memory_read_enable,
+      read_address => leftsampler_rows_even_even_read_word_memory_read_address, read_data => leftsampler_rows_even_even_read_word,
+      write_address => leftsampler_rows_even_even_read_word_memory_write_address, write_data => leftsampler_rows_even_even_read_word_memory_write_data);
 
+  leftsampler_rows_even_odd_read_word_memory_read_enable <= true;
+  leftsampler_rows_even_odd_read_word_memory_read_address <= to_unsigned(leftsampler_rows_even_odd_read_address, 7);
+  leftsampler_rows_even_odd_read_word_memory_write_address <= to_unsigned(leftsampler_rows_even_odd_write_address, 7);
   leftsampler_rows_even_odd_read_word_memory_write_data <= to_unsigned(leftsampler_rows_even_odd_write_word, 8);
   leftsampler_rows_even_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 68, width => 8)
+    generic map (depth => 68, width => 8, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftsampler_rows_even_odd_read_address, read_data => leftsampler_rows_even_odd_read_word,
-      write_address => leftsampler_rows_even_odd_write_address, write_data => leftsampler_rows_even_odd_read_word_memory_write_data);
+      clock => clock, read_enable => leftsampler_rows_even_odd_read_word_memory_read_enable,
+      read_address => leftsampler_rows_even_odd_read_word_memory_read_address, read_data => leftsampler_rows_even_odd_read_word,
+      write_address => leftsampler_rows_even_odd_read_word_memory_write_address, write_data => leftsampler_rows_even_odd_read_word_memory_write_data);
 
+  leftsampler_rows_odd_even_read_word_memory_read_enable <= true;
+  leftsampler_rows_odd_even_read_word_memory_read_address <= to_unsigned(leftsampler_rows_odd_even_read_address, 7);
+  leftsampler_rows_odd_even_read_word_memory_write_address <= to_unsigned(leftsampler_rows_odd_even_write_address, 7);
   leftsampler_rows_odd_even_read_word_memory_write_data <= to_unsigned(leftsampler_rows_odd_even_write_word, 8);
   leftsampler_rows_odd_even_read_word_memory : entity work.line_memory
-    generic map (depth => 68, width => 8)
+    generic map (depth => 68, width => 8, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftsampler_rows_odd_even_read_address, read_data => leftsampler_rows_odd_even_read_word,
-      write_address => leftsampler_rows_odd_even_write_address, write_data => leftsampler_rows_odd_even_read_word_memory_write_data);
+      clock => clock, read_enable => leftsampler_rows_odd_even_read_word_memory_read_enable,
+      read_address => leftsampler_rows_odd_even_read_word_memory_read_address, read_data => leftsampler_rows_odd_even_read_word,
+      write_address => leftsampler_rows_odd_even_read_word_memory_write_address, write_data => leftsampler_rows_odd_even_read_word_memory_write_data);
 
+  leftsampler_rows_odd_odd_read_word_memory_read_enable <= true;
+  leftsampler_rows_odd_odd_read_word_memory_read_address <= to_unsigned(leftsampler_rows_odd_odd_read_address, 7);
+  leftsampler_rows_odd_odd_read_word_memory_write_address <= to_unsigned(leftsampler_rows_odd_odd_write_address, 7);
   leftsampler_rows_odd_odd_read_word_memory_write_data <= to_unsigned(leftsampler_rows_odd_odd_write_word, 8);
   leftsampler_rows_odd_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 68, width => 8)
+    generic map (depth => 68, width => 8, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftsampler_rows_odd_odd_read_address, read_data => leftsampler_rows_odd_odd_read_word,
-      write_address => leftsampler_rows_odd_odd_write_address, write_data => leftsampler_rows_odd_odd_read_word_memory_write_data);
+      clock => clock, read_enable => leftsampler_rows_odd_odd_read_word_memory_read_enable,
+      read_address => leftsampler_rows_odd_odd_read_word_memory_read_address, read_data => leftsampler_rows_odd_odd_read_word,
+      write_address => leftsampler_rows_odd_odd_read_word_memory_write_address, write_data => leftsampler_rows_odd_odd_read_word_memory_write_data);
 
+  rightsampler_rows_even_even_read_word_memory_read_enable <= true;
+  rightsampler_rows_even_even_read_word_memory_read_address <= to_unsigned(rightsampler_rows_even_even_read_address, 7);
+  rightsampler_rows_even_even_read_word_memory_write_address <= to_unsigned(leftsampler_rows_even_even_write_address, 7);
   rightsampler_rows_even_even_read_word_memory_write_data <= to_unsigned(rightsampler_rows_even_even_write_word, 8);
   rightsampler_rows_even_even_read_word_memory : entity work.line_memory
-    generic map (depth => 68, width => 8)
+    generic map (depth => 68, width => 8, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rightsampler_rows_even_even_read_address, read_data => rightsampler_rows_even_even_read_word,
-      write_address => leftsampler_rows_even_even_write_address, write_data => rightsampler_rows_even_even_read_word_memory_write_data);
+      clock => clock, read_enable => rightsampler_rows_even_even_read_word_memory_read_enable,
+      read_address => rightsampler_rows_even_even_read_word_memory_read_address, read_data => rightsampler_rows_even_even_read_word,
+      write_address => rightsampler_rows_even_even_read_word_memory_write_address, write_data => rightsampler_rows_even_even_read_word_memory_write_data);
 
+  rightsampler_rows_even_odd_read_word_memory_read_enable <= true;
+  rightsampler_rows_even_odd_read_word_memory_read_address <= to_unsigned(rightsampler_rows_even_odd_read_address, 7);
+  rightsampler_rows_even_odd_read_word_memory_write_address <= to_unsigned(leftsampler_rows_even_odd_write_address, 7);
   rightsampler_rows_even_odd_read_word_memory_write_data <= to_unsigned(rightsampler_rows_even_odd_write_word, 8);
   rightsampler_rows_even_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 68, width => 8)
+    generic map (depth => 68, width => 8, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rightsampler_rows_even_odd_read_address, read_data => rightsampler_rows_even_odd_read_word,
-      write_address => leftsampler_rows_even_odd_write_address, write_data => rightsampler_rows_even_odd_read_word_memory_write_data);
+      clock => clock, read_enable => rightsampler_rows_even_odd_read_word_memory_read_enable,
+      read_address => rightsampler_rows_even_odd_read_word_memory_read_address, read_data => rightsampler_rows_even_odd_read_word,
+      write_address => rightsampler_rows_even_odd_read_word_memory_write_address, write_data => rightsampler_rows_even_odd_read_word_memory_write_data);
 
+  rightsampler_rows_odd_even_read_word_memory_read_enable <= true;
+  rightsampler_rows_odd_even_read_word_memory_read_address <= to_unsigned(rightsampler_rows_odd_even_read_address, 7);
+  rightsampler_rows_odd_even_read_word_memory_write_address <= to_unsigned(leftsampler_rows_odd_even_write_address, 7);
   rightsampler_rows_odd_even_read_word_memory_write_data <= to_unsigned(rightsampler_rows_odd_even_write_word, 8);
   rightsampler_rows_odd_even_read_word_memory : entity work.line_memory
-    generic map (depth => 68, width => 8)
+    generic map (depth => 68, width => 8, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rightsampler_rows_odd_even_read_address, read_data => rightsampler_rows_odd_even_read_word,
-      write_address => leftsampler_rows_odd_even_write_address, write_data => rightsampler_rows_odd_even_read_word_memory_write_data);
+      clock => clock, read_enable => rightsampler_rows_odd_even_read_word_memory_read_enable,
+      read_address => rightsampler_rows_odd_even_read_word_memory_read_address, read_data => rightsampler_rows_odd_even_read_word,
+      write_address => rightsampler_rows_odd_even_read_word_memory_write_address, write_data => rightsampler_rows_odd_even_read_word_memory_write_data);
 
+  rightsampler_rows_odd_odd_read_word_memory_read_enable <= true;
+  rightsampler_rows_odd_odd_read_word_memory_read_address <= to_unsigned(rightsampler_rows_odd_odd_read_address, 7);
+  rightsampler_rows_odd_odd_read_word_memory_write_address <= to_unsigned(leftsampler_rows_odd_odd_write_address, 7);
   rightsampler_rows_odd_odd_read_word_memory_write_data <= to_unsigned(rightsampler_rows_odd_odd_write_word, 8);
   rightsampler_rows_odd_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 68, width => 8)
+    generic map (depth => 68, width => 8, address_bits => 7)
     port map (
-      clock => clock, read_enable => true,
-      read_address => rightsampler_rows_odd_odd_read_address, read_data => rightsampler_rows_odd_odd_read_word,
-      write_address => leftsampler_rows_odd_odd_write_address, write_data => rightsampler_rows_odd_odd_read_word_memory_write_data);
+      clock => clock, read_enable => rightsampler_rows_odd_odd_read_word_memory_read_enable,
+      read_address => rightsampler_rows_odd_odd_read_word_memory_read_address, read_data => rightsampler_rows_odd_odd_read_word,
+      write_address => rightsampler_rows_odd_odd_read_word_memory_write_address, write_data => rightsampler_rows_odd_odd_read_word_memory_write_data);
 
+  leftoffsets_nodes_even_even_read_word_memory_read_enable <= true;
+  leftoffsets_nodes_even_even_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_even_even_read_address, 4);
+  leftoffsets_nodes_even_even_read_word_memory_write_address <= to_unsigned(leftoffsets_nodes_even_even_write_address, 4);
   leftoffsets_nodes_even_even_read_word_memory_write_data <= leftoffsets_nodes_even_even_write_word;
   leftoffsets_nodes_even_even_read_word_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftoffsets_nodes_even_even_read_address, read_data => leftoffsets_nodes_even_even_read_word,
-      write_address => leftoffsets_nodes_even_even_write_address, write_data => leftoffsets_nodes_even_even_read_word_memory_write_data);
+      clock => clock, read_enable => leftoffsets_nodes_even_even_read_word_memory_read_enable,
+      read_address => leftoffsets_nodes_even_even_read_word_memory_read_address, read_data => leftoffsets_nodes_even_even_read_word,
+      write_address => leftoffsets_nodes_even_even_read_word_memory_write_address, write_data => leftoffsets_nodes_even_even_read_word_memory_write_data);
 
+  leftoffsets_nodes_even_odd_read_word_memory_read_enable <= true;
+  leftoffsets_nodes_even_odd_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_even_odd_read_address, 4);
+  leftoffsets_nodes_even_odd_read_word_memory_write_address <= to_unsigned(leftoffsets_nodes_even_odd_write_address, 4);
   leftoffsets_nodes_even_odd_read_word_memory_write_data <= leftoffsets_nodes_even_odd_write_word;
   leftoffsets_nodes_even_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftoffsets_nodes_even_odd_read_address, read_data => leftoffsets_nodes_even_odd_read_word,
-      write_address => leftoffsets_nodes_even_odd_write_address, write_data => leftoffsets_nodes_even_odd_read_word_memory_write_data);
+      clock => clock, read_enable => leftoffsets_nodes_even_odd_read_word_memory_read_enable,
+      read_address => leftoffsets_nodes_even_odd_read_word_memory_read_address, read_data => leftoffsets_nodes_even_odd_read_word,
+      write_address => leftoffsets_nodes_even_odd_read_word_memory_write_address, write_data => leftoffsets_nodes_even_odd_read_word_memory_write_data);
 
+  leftoffsets_nodes_odd_even_read_word_memory_read_enable <= true;
+  leftoffsets_nodes_odd_even_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_odd_even_read_address, 4);
+  leftoffsets_nodes_odd_even_read_word_memory_write_address <= to_unsigned(leftoffsets_nodes_odd_even_write_address, 4);
   leftoffsets_nodes_odd_even_read_word_memory_write_data <= leftoffsets_nodes_odd_even_write_word;
   leftoffsets_nodes_odd_even_read_word_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftoffsets_nodes_odd_even_read_address, read_data => leftoffsets_nodes_odd_even_read_word,
-      write_address => leftoffsets_nodes_odd_even_write_address, write_data => leftoffsets_nodes_odd_even_read_word_memory_write_data);
+      clock => clock, read_enable => leftoffsets_nodes_odd_even_read_word_memory_read_enable,
+      read_address => leftoffsets_nodes_odd_even_read_word_memory_read_address, read_data => leftoffsets_nodes_odd_even_read_word,
+      write_address => leftoffsets_nodes_odd_even_read_word_memory_write_address, write_data => leftoffsets_nodes_odd_even_read_word_memory_write_data);
 
+  leftoffsets_nodes_odd_odd_read_word_memory_read_enable <= true;
+  leftoffsets_nodes_odd_odd_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_odd_odd_read_address, 4);
+  leftoffsets_nodes_odd_odd_read_word_memory_write_address <= to_unsigned(leftoffsets_nodes_odd_odd_write_address, 4);
   leftoffsets_nodes_odd_odd_read_word_memory_write_data <= leftoffsets_nodes_odd_odd_write_word;
   leftoffsets_nodes_odd_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftoffsets_nodes_odd_odd_read_address, read_data => leftoffsets_nodes_odd_odd_read_word,
-      write_address => leftoffsets_nodes_odd_odd_write_address, write_data => leftoffsets_nodes_odd_odd_read_word_memory_write_data);
+      clock => clock, read_enable => leftoffsets_nodes_odd_odd_read_word_memory_read_enable,
+      read_address => leftoffsets_nodes_odd_odd_read_word_memory_read_address, read_data => leftoffsets_nodes_odd_odd_read_word,
+      write_address => leftoffsets_nodes_odd_odd_read_word_memory_write_address, write_data => leftoffsets_nodes_odd_odd_read_word_memory_write_data);
 
+  rightoffsets_nodes_even_even_read_word_memory_read_enable <= true;
+  rightoffsets_nodes_even_even_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_even_even_read_address, 4);
+  rightoffsets_nodes_even_even_read_word_memory_write_address <= to_unsigned(rightoffsets_nodes_even_even_write_address, 4);
   rightoffsets_nodes_even_even_read_word_memory_write_data <= rightoffsets_nodes_even_even_write_word;
   rightoffsets_nodes_even_even_read_word_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftoffsets_nodes_even_even_read_address, read_data => rightoffsets_nodes_even_even_read_word,
-      write_address => rightoffsets_nodes_even_even_write_address, write_data => rightoffsets_nodes_even_even_read_word_memory_write_data);
+      clock => clock, read_enable => rightoffsets_nodes_even_even_read_word_memory_read_enable,
+      read_address => rightoffsets_nodes_even_even_read_word_memory_read_address, read_data => rightoffsets_nodes_even_even_read_word,
+      write_address => rightoffsets_nodes_even_even_read_word_memory_write_address, write_data => rightoffsets_nodes_even_even_read_word_memory_write_data);
 
+  rightoffsets_nodes_even_odd_read_word_memory_read_enable <= true;
+  rightoffsets_nodes_even_odd_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_even_odd_read_address, 4);
+  rightoffsets_nodes_even_odd_read_word_memory_write_address <= to_unsigned(rightoffsets_nodes_even_odd_write_address, 4);
   rightoffsets_nodes_even_odd_read_word_memory_write_data <= rightoffsets_nodes_even_odd_write_word;
   rightoffsets_nodes_even_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftoffsets_nodes_even_odd_read_address, read_data => rightoffsets_nodes_even_odd_read_word,
-      write_address => rightoffsets_nodes_even_odd_write_address, write_data => rightoffsets_nodes_even_odd_read_word_memory_write_data);
+      clock => clock, read_enable => rightoffsets_nodes_even_odd_read_word_memory_read_enable,
+      read_address => rightoffsets_nodes_even_odd_read_word_memory_read_address, read_data => rightoffsets_nodes_even_odd_read_word,
+      write_address => rightoffsets_nodes_even_odd_read_word_memory_write_address, write_data => rightoffsets_nodes_even_odd_read_word_memory_write_data);
 
+  rightoffsets_nodes_odd_even_read_word_memory_read_enable <= true;
+  rightoffsets_nodes_odd_even_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_odd_even_read_address, 4);
+  rightoffsets_nodes_odd_even_read_word_memory_write_address <= to_unsigned(rightoffsets_nodes_odd_even_write_address, 4);
   rightoffsets_nodes_odd_even_read_word_memory_write_data <= rightoffsets_nodes_odd_even_write_word;
   rightoffsets_nodes_odd_even_read_word_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftoffsets_nodes_odd_even_read_address, read_data => rightoffsets_nodes_odd_even_read_word,
-      write_address => rightoffsets_nodes_odd_even_write_address, write_data => rightoffsets_nodes_odd_even_read_word_memory_write_data);
+      clock => clock, read_enable => rightoffsets_nodes_odd_even_read_word_memory_read_enable,
+      read_address => rightoffsets_nodes_odd_even_read_word_memory_read_address, read_data => rightoffsets_nodes_odd_even_read_word,
+      write_address => rightoffsets_nodes_odd_even_read_word_memory_write_address, write_data => rightoffsets_nodes_odd_even_read_word_memory_write_data);
 
+  rightoffsets_nodes_odd_odd_read_word_memory_read_enable <= true;
+  rightoffsets_nodes_odd_odd_read_word_memory_read_address <= to_unsigned(leftoffsets_nodes_odd_odd_read_address, 4);
+  rightoffsets_nodes_odd_odd_read_word_memory_write_address <= to_unsigned(rightoffsets_nodes_odd_odd_write_address, 4);
   rightoffsets_nodes_odd_odd_read_word_memory_write_data <= rightoffsets_nodes_odd_odd_write_word;
   rightoffsets_nodes_odd_odd_read_word_memory : entity work.line_memory
-    generic map (depth => 10, width => 32)
+    generic map (depth => 10, width => 32, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftoffsets_nodes_odd_odd_read_address, read_data => rightoffsets_nodes_odd_odd_read_word,
-      write_address => rightoffsets_nodes_odd_odd_write_address, write_data => rightoffsets_nodes_odd_odd_read_word_memory_write_data);
+      clock => clock, read_enable => rightoffsets_nodes_odd_odd_read_word_memory_read_enable,
+      read_address => rightoffsets_nodes_odd_odd_read_word_memory_read_address, read_data => rightoffsets_nodes_odd_odd_read_word,
+      write_address => rightoffsets_nodes_odd_odd_read_word_memory_write_address, write_data => rightoffsets_nodes_odd_odd_read_word_memory_write_data);
 
   process (clock)
     variable counter_column_is_equal, counter_next_frame_differs, counter_next_frame_is_equal : boolean;
@@ -494,19 +590,43 @@ begin
       counter_next_frame_is_equal := counter_group = 15;
       counter_next_frame_is_equal_2 := counter_group = 11;
       counter_next_frame_all := counter_column_is_equal and counter_next_frame_is_equal_2;
-      counter_next_frame_choice := counter_next_frame_all when in_start_of_frame else counter_next_frame;
-      if in_valid then
-        counter_column <= 0 when counter_column_is_equal or in_start_of_frame else (counter_column + 1) mod 32;
-        counter_next_frame <= counter_column_is_equal and counter_next_frame_is_equal_2 and in_start_of_frame when
-          counter_column_is_equal and counter_next_frame_differs and counter_next_frame_is_equal else
-          counter_next_frame_choice;
+      if in_start_of_frame then
+        counter_next_frame_choice := counter_next_frame_all;
+      else
+        counter_next_frame_choice := counter_next_frame;
       end if;
-      counter_group_choice := 3 when counter_next_frame_all else 0;
-      counter_group_choice_2 := 4 when counter_next_frame and counter_next_frame_is_equal else (counter_group + 1) mod
-        32;
-      counter_group_choice_3 := counter_group_choice_2 when counter_column_is_equal and counter_next_frame_differs and
-        in_valid else counter_group;
-      counter_group <= counter_group_choice * 4 when in_start_of_frame and in_valid else counter_group_choice_3;
+      if in_valid then
+        if counter_column_is_equal or in_start_of_frame then
+          counter_column <= 0;
+        else
+          counter_column <= (counter_column + 1) mod 32;
+        end if;
+        if counter_column_is_equal and counter_next_frame_differs and counter_next_frame_is_equal then
+          counter_next_frame <= counter_column_is_equal and counter_next_frame_is_equal_2 and in_start_of_frame;
+        else
+          counter_next_frame <= counter_next_frame_choice;
+        end if;
+      end if;
+      if counter_next_frame_all then
+        counter_group_choice := 3;
+      else
+        counter_group_choice := 0;
+      end if;
+      if counter_next_frame and counter_next_frame_is_equal then
+        counter_group_choice_2 := 4;
+      else
+        counter_group_choice_2 := (counter_group + 1) mod 32;
+      end if;
+      if counter_column_is_equal and counter_next_frame_differs and in_valid then
+        counter_group_choice_3 := counter_group_choice_2;
+      else
+        counter_group_choice_3 := counter_group;
+      end if;
+      if in_start_of_frame and in_valid then
+        counter_group <= counter_group_choice * 4;
+      else
+        counter_group <= counter_group_choice_3;
+      end if;
       -- delay
       delay_held_0_left <= in_left_pixel;
       delay_held_0_right <= in_right_pixel;
@@ -567,11 +687,15 @@ begin
       grid_weight_x_held_2 <= grid_weight_x_held_1;
       grid_weight_x_held_3 <= grid_weight_x_held_2;
       grid_weight_x_held_4 <= grid_weight_x_held_3;
-      grid_weight_y_held_0 <= counter_group mod 4 when grid_node_row_all else 0;
       grid_weight_y_held_1 <= grid_weight_y_held_0;
       grid_weight_y_held_2 <= grid_weight_y_held_1;
       grid_weight_y_held_3 <= grid_weight_y_held_2;
       grid_weight_y_held_4 <= grid_weight_y_held_3;
+      if grid_node_row_all then
+        grid_weight_y_held_0 <= counter_group mod 4;
+      else
+        grid_weight_y_held_0 <= 0;
+      end if;
       -- leftoffsets
       leftoffsets_nodes_even_line_value := (grid_node_row + 1) / 2;
       if leftoffsets_nodes_column_odd_3 then
@@ -584,10 +708,16 @@ begin
       else
         leftoffsets_x_left_from_choice_2 := to_integer(leftoffsets_nodes_even_even_ready_word(15 downto 0));
       end if;
-      leftoffsets_x_left_from_choice_3 := leftoffsets_x_left_from_choice when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_x_left_from_choice_2;
-      leftoffsets_x_left_difference_choice := leftoffsets_x_left_from_choice_2 when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_x_left_from_choice;
+      if leftoffsets_nodes_row_odd_3 then
+        leftoffsets_x_left_from_choice_3 := leftoffsets_x_left_from_choice;
+      else
+        leftoffsets_x_left_from_choice_3 := leftoffsets_x_left_from_choice_2;
+      end if;
+      if leftoffsets_nodes_row_odd_3 then
+        leftoffsets_x_left_difference_choice := leftoffsets_x_left_from_choice_2;
+      else
+        leftoffsets_x_left_difference_choice := leftoffsets_x_left_from_choice;
+      end if;
       if leftoffsets_nodes_column_odd_3 then
         leftoffsets_x_right_from_choice := to_integer(leftoffsets_nodes_odd_even_ready_word(15 downto 0));
       else
@@ -598,28 +728,56 @@ begin
       else
         leftoffsets_x_right_from_choice_2 := to_integer(leftoffsets_nodes_even_odd_ready_word(15 downto 0));
       end if;
-      leftoffsets_x_right_from_choice_3 := leftoffsets_x_right_from_choice when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_x_right_from_choice_2;
-      leftoffsets_x_right_difference_choice := leftoffsets_x_right_from_choice_2 when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_x_right_from_choice;
-      leftoffsets_y_left_from_choice := leftoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_3 else
-        leftoffsets_nodes_odd_even_ready_word;
-      leftoffsets_y_left_from_choice_2 := leftoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_3
-        else leftoffsets_nodes_even_even_ready_word;
-      leftoffsets_y_left_from_choice_3 := leftoffsets_y_left_from_choice when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_y_left_from_choice_2;
-      leftoffsets_y_left_difference_choice := leftoffsets_y_left_from_choice_2 when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_y_left_from_choice;
-      leftoffsets_y_right_from_choice := leftoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_3 else
-        leftoffsets_nodes_odd_odd_ready_word;
-      leftoffsets_y_right_from_choice_2 := leftoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_3
-        else leftoffsets_nodes_even_odd_ready_word;
-      leftoffsets_y_right_from_choice_3 := leftoffsets_y_right_from_choice when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_y_right_from_choice_2;
-      leftoffsets_y_right_difference_choice := leftoffsets_y_right_from_choice_2 when leftoffsets_nodes_row_odd_3 else
-        leftoffsets_y_right_from_choice;
-      leftoffsets_nodes_even_line <= 0 when grid_node_row = 3 else ((leftoffsets_nodes_even_line_value mod 2) * 4) +
-        leftoffsets_nodes_even_line_value;
+      if leftoffsets_nodes_row_odd_3 then
+        leftoffsets_x_right_from_choice_3 := leftoffsets_x_right_from_choice;
+      else
+        leftoffsets_x_right_from_choice_3 := leftoffsets_x_right_from_choice_2;
+      end if;
+      if leftoffsets_nodes_row_odd_3 then
+        leftoffsets_x_right_difference_choice := leftoffsets_x_right_from_choice_2;
+      else
+        leftoffsets_x_right_difference_choice := leftoffsets_x_right_from_choice;
+      end if;
+      if leftoffsets_nodes_column_odd_3 then
+        leftoffsets_y_left_from_choice := leftoffsets_nodes_odd_odd_ready_word;
+      else
+        leftoffsets_y_left_from_choice := leftoffsets_nodes_odd_even_ready_word;
+      end if;
+      if leftoffsets_nodes_column_odd_3 then
+        leftoffsets_y_left_from_choice_2 := leftoffsets_nodes_even_odd_ready_word;
+      else
+        leftoffsets_y_left_from_choice_2 := leftoffsets_nodes_even_even_ready_word;
+      end if;
+      if leftoffsets_nodes_row_odd_3 then
+        leftoffsets_y_left_from_choice_3 := leftoffsets_y_left_from_choice;
+      else
+        leftoffsets_y_left_from_choice_3 := leftoffsets_y_left_from_choice_2;
+      end if;
+      if leftoffsets_nodes_row_odd_3 then
+        leftoffsets_y_left_difference_choice := leftoffsets_y_left_from_choice_2;
+      else
+        leftoffsets_y_left_difference_choice := leftoffsets_y_left_from_choice;
+      end if;
+      if leftoffsets_nodes_column_odd_3 then
+        leftoffsets_y_right_from_choice := leftoffsets_nodes_odd_even_ready_word;
+      else
+        leftoffsets_y_right_from_choice := leftoffsets_nodes_odd_odd_ready_word;
+      end if;
+      if leftoffsets_nodes_column_odd_3 then
+        leftoffsets_y_right_from_choice_2 := leftoffsets_nodes_even_even_ready_word;
+      else
+        leftoffsets_y_right_from_choice_2 := leftoffsets_nodes_even_odd_ready_word;
+      end if;
+      if leftoffsets_nodes_row_odd_3 then
+        leftoffsets_y_right_from_choice_3 := leftoffsets_y_right_from_choice;
+      else
+        leftoffsets_y_right_from_choice_3 := leftoffsets_y_right_from_choice_2;
+      end if;
+      if leftoffsets_nodes_row_odd_3 then
+        leftoffsets_y_right_difference_choice := leftoffsets_y_right_from_choice_2;
+      else
+        leftoffsets_y_right_difference_choice := leftoffsets_y_right_from_choice;
+      end if;
       leftoffsets_nodes_odd_line <= ((grid_node_row / 2) * 4) + (grid_node_row / 2);
       leftoffsets_nodes_write_line <= ((((in_node_row / 2) + (in_node_row / 8)) mod 2) * 4) + ((in_node_row / 2) mod 4);
       leftoffsets_nodes_even_column <= (grid_node_column + 1) / 2;
@@ -692,6 +850,12 @@ begin
       leftoffsets_y_row_share <= leftoffsets_y_row_difference * leftoffsets_x_row_part;
       leftoffsets_y_row_value <= ((((leftoffsets_y_row_base / 4) + ((leftoffsets_y_row_share mod 2097152) / 4)) mod
         524288) * 4) / 32;
+      if grid_node_row = 3 then
+        leftoffsets_nodes_even_line <= 0;
+      else
+        leftoffsets_nodes_even_line <= ((leftoffsets_nodes_even_line_value mod 2) * 4) +
+          leftoffsets_nodes_even_line_value;
+      end if;
       leftoffsets_nodes_even_even_write_address_value := (leftoffsets_nodes_write_line +
         leftoffsets_nodes_write_column) mod 16;
       if leftoffsets_nodes_to_even_even then
@@ -721,10 +885,16 @@ begin
       else
         rightoffsets_x_left_from_choice_2 := to_integer(rightoffsets_nodes_even_even_ready_word(15 downto 0));
       end if;
-      rightoffsets_x_left_from_choice_3 := rightoffsets_x_left_from_choice when leftoffsets_nodes_row_odd_3 else
-        rightoffsets_x_left_from_choice_2;
-      rightoffsets_x_left_difference_choice := rightoffsets_x_left_from_choice_2 when leftoffsets_nodes_row_odd_3 else
-        rightoffsets_x_left_from_choice;
+      if leftoffsets_nodes_row_odd_3 then
+        rightoffsets_x_left_from_choice_3 := rightoffsets_x_left_from_choice;
+      else
+        rightoffsets_x_left_from_choice_3 := rightoffsets_x_left_from_choice_2;
+      end if;
+      if leftoffsets_nodes_row_odd_3 then
+        rightoffsets_x_left_difference_choice := rightoffsets_x_left_from_choice_2;
+      else
+        rightoffsets_x_left_difference_choice := rightoffsets_x_left_from_choice;
+      end if;
       if leftoffsets_nodes_column_odd_3 then
         rightoffsets_x_right_from_choice := to_integer(rightoffsets_nodes_odd_even_ready_word(15 downto 0));
       else
@@ -735,26 +905,56 @@ begin
       else
         rightoffsets_x_right_from_choice_2 := to_integer(rightoffsets_nodes_even_odd_ready_word(15 downto 0));
       end if;
-      rightoffsets_x_right_from_choice_3 := rightoffsets_x_right_from_choice when leftoffsets_nodes_row_odd_3 else
-        rightoffsets_x_right_from_choice_2;
-      rightoffsets_x_right_difference_choice := rightoffsets_x_right_from_choice_2 when leftoffsets_nodes_row_odd_3
-        else rightoffsets_x_right_from_choice;
-      rightoffsets_y_left_from_choice := rightoffsets_nodes_odd_odd_ready_word when leftoffsets_nodes_column_odd_3 else
-        rightoffsets_nodes_odd_even_ready_word;
-      rightoffsets_y_left_from_choice_2 := rightoffsets_nodes_even_odd_ready_word when leftoffsets_nodes_column_odd_3
-        else rightoffsets_nodes_even_even_ready_word;
-      rightoffsets_y_left_from_choice_3 := rightoffsets_y_left_from_choice when leftoffsets_nodes_row_odd_3 else
-        rightoffsets_y_left_from_choice_2;
-      rightoffsets_y_left_difference_choice := rightoffsets_y_left_from_choice_2 when leftoffsets_nodes_row_odd_3 else
-        rightoffsets_y_left_from_choice;
-      rightoffsets_y_right_from_choice := rightoffsets_nodes_odd_even_ready_word when leftoffsets_nodes_column_odd_3
-        else rightoffsets_nodes_odd_odd_ready_word;
-      rightoffsets_y_right_from_choice_2 := rightoffsets_nodes_even_even_ready_word when leftoffsets_nodes_column_odd_3
-        else rightoffsets_nodes_even_odd_ready_word;
-      rightoffsets_y_right_from_choice_3 := rightoffsets_y_right_from_choice when leftoffsets_nodes_row_odd_3 else
-        rightoffsets_y_right_from_choice_2;
-      rightoffsets_y_right_difference_choice := rightoffsets_y_right_from_choice_2 when leftoffsets_nodes_row_odd_3
-        else rightoffsets_y_right_from_choice;
+      if leftoffsets_nodes_row_odd_3 then
+        rightoffsets_x_right_from_choice_3 := rightoffsets_x_right_from_choice;
+      else
+        rightoffsets_x_right_from_choice_3 := rightoffsets_x_right_from_choice_2;
+      end if;
+      if leftoffsets_nodes_row_odd_3 then
+        rightoffsets_x_right_difference_choice := rightoffsets_x_right_from_choice_2;
+      else
+        rightoffsets_x_right_difference_choice := rightoffsets_x_right_from_choice;
+      end if;
+      if leftoffsets_nodes_column_odd_3 then
+        rightoffsets_y_left_from_choice := rightoffsets_nodes_odd_odd_ready_word;
+      else
+        rightoffsets_y_left_from_choice := rightoffsets_nodes_odd_even_ready_word;
+      end if;
+      if leftoffsets_nodes_column_odd_3 then
+        rightoffsets_y_left_from_choice_2 := rightoffsets_nodes_even_odd_ready_word;
+      else
+        rightoffsets_y_left_from_choice_2 := rightoffsets_nodes_even_even_ready_word;
+      end if;
+      if leftoffsets_nodes_row_odd_3 then
+        rightoffsets_y_left_from_choice_3 := rightoffsets_y_left_from_choice;
+      else
+        rightoffsets_y_left_from_choice_3 := rightoffsets_y_left_from_choice_2;
+      end if;
+      if leftoffsets_nodes_row_odd_3 then
+        rightoffsets_y_left_difference_choice := rightoffsets_y_left_from_choice_2;
+      else
+        rightoffsets_y_left_difference_choice := rightoffsets_y_left_from_choice;
+      end if;
+      if leftoffsets_nodes_column_odd_3 then
+        rightoffsets_y_right_from_choice := rightoffsets_nodes_odd_even_ready_word;
+      else
+        rightoffsets_y_right_from_choice := rightoffsets_nodes_odd_odd_ready_word;
+      end if;
+      if leftoffsets_nodes_column_odd_3 then
+        rightoffsets_y_right_from_choice_2 := rightoffsets_nodes_even_even_ready_word;
+      else
+        rightoffsets_y_right_from_choice_2 := rightoffsets_nodes_even_odd_ready_word;
+      end if;
+      if leftoffsets_nodes_row_odd_3 then
+        rightoffsets_y_right_from_choice_3 := rightoffsets_y_right_from_choice;
+      else
+        rightoffsets_y_right_from_choice_3 := rightoffsets_y_right_from_choice_2;
+      end if;
+      if leftoffsets_nodes_row_odd_3 then
+        rightoffsets_y_right_difference_choice := rightoffsets_y_right_from_choice_2;
+      else
+        rightoffsets_y_right_difference_choice := rightoffsets_y_right_from_choice;
+      end if;
       rightoffsets_nodes_to_even_even <= (not ((in_node_column mod 2) = 1)) and (not ((in_node_row mod 2) = 1)) and
         in_node_valid and in_node_right;
       rightoffsets_nodes_to_even_odd <= ((in_node_column mod 2) = 1) and (not ((in_node_row mod 2) = 1)) and
@@ -824,22 +1024,39 @@ begin
       sample_place_next_frame_is_equal := sample_place_group = 15;
       sample_place_next_frame_is_equal_2 := sample_place_group = 11;
       sample_place_next_frame_all := sample_place_column_is_equal and sample_place_next_frame_is_equal_2;
-      sample_place_next_frame_choice := sample_place_next_frame_all when delay_held_10_start_of_frame else
-        sample_place_next_frame;
-      if delay_held_10_valid then
-        sample_place_column <= 0 when sample_place_column_is_equal or delay_held_10_start_of_frame else
-          sample_place_column_sum mod 32;
-        sample_place_next_frame <= sample_place_column_is_equal and sample_place_next_frame_is_equal_2 and
-          delay_held_10_start_of_frame when sample_place_column_is_equal and sample_place_next_frame_differs and
-          sample_place_next_frame_is_equal else sample_place_next_frame_choice;
+      if delay_held_10_start_of_frame then
+        sample_place_next_frame_choice := sample_place_next_frame_all;
+      else
+        sample_place_next_frame_choice := sample_place_next_frame;
       end if;
-      sample_place_group_choice := 3 when sample_place_next_frame_all else 0;
-      sample_place_group_choice_2 := 4 when sample_place_next_frame and sample_place_next_frame_is_equal else
-        (sample_place_group + 1) mod 32;
-      sample_place_group_choice_3 := sample_place_group_choice_2 when sample_place_column_is_equal and
-        sample_place_next_frame_differs and delay_held_10_valid else sample_place_group;
-      sample_place_group <= sample_place_group_choice * 4 when delay_held_10_start_of_frame and delay_held_10_valid
-        else sample_place_group_choice_3;
+      if delay_held_10_valid then
+        if sample_place_column_is_equal or delay_held_10_start_of_frame then
+          sample_place_column <= 0;
+        else
+          sample_place_column <= sample_place_column_sum mod 32;
+        end if;
+        if sample_place_column_is_equal and sample_place_next_frame_differs and sample_place_next_frame_is_equal then
+          sample_place_next_frame <= sample_place_column_is_equal and sample_place_next_frame_is_equal_2 and
+            delay_held_10_start_of_frame;
+        else
+          sample_place_next_frame <= sample_place_next_frame_choice;
+        end if;
+      end if;
+      if sample_place_next_frame_all then
+        sample_place_group_choice := 3;
+      else
+        sample_place_group_choice := 0;
+      end if;
+      if sample_place_next_frame and sample_place_next_frame_is_equal then
+        sample_place_group_choice_2 := 4;
+      else
+        sample_place_group_choice_2 := (sample_place_group + 1) mod 32;
+      end if;
+      if sample_place_column_is_equal and sample_place_next_frame_differs and delay_held_10_valid then
+        sample_place_group_choice_3 := sample_place_group_choice_2;
+      else
+        sample_place_group_choice_3 := sample_place_group;
+      end if;
       sample_pixels_left <= delay_held_10_left;
       sample_pixels_right <= delay_held_10_right;
       sample_pixels_valid <= delay_held_10_valid;
@@ -858,8 +1075,17 @@ begin
       sample_kept_pixels_right <= sample_taken_pixels_right;
       sample_kept_pixels_valid <= sample_taken_pixels_valid;
       sample_kept_starts <= sample_starts;
+      if delay_held_10_start_of_frame and delay_held_10_valid then
+        sample_place_group <= sample_place_group_choice * 4;
+      else
+        sample_place_group <= sample_place_group_choice_3;
+      end if;
       if sample_place_column_is_equal and delay_held_10_valid then
-        sample_slot <= 0 when sample_slot = 7 else (sample_slot + 1) mod 8;
+        if sample_slot = 7 then
+          sample_slot <= 0;
+        else
+          sample_slot <= (sample_slot + 1) mod 8;
+        end if;
       end if;
       -- lefttaps
       lefttaps_taps_column_is_equal := (lefttaps_source_x / 1024) = 16;
@@ -873,7 +1099,6 @@ begin
       lefttaps_source_x <= (((leftoffsets_x_row_value / 32) + sample_place_column) * 32) + (leftoffsets_x_row_value mod
         32);
       lefttaps_offset_y <= leftoffsets_y_row_value;
-      lefttaps_taps_column <= ((lefttaps_source_x / 32) + 65025) mod 256 when lefttaps_taps_column_is_equal else 0;
       lefttaps_taps_row <= (sample_taken_row + lefttaps_taps_row_choice) mod 8;
       lefttaps_weight_x <= lefttaps_source_x mod 32;
       lefttaps_weight_y <= lefttaps_offset_y mod 32;
@@ -883,6 +1108,11 @@ begin
         + (lefttaps_offset_y / 32) + 65024) mod 65536) < 12);
       lefttaps_row_shown_1 <= (lefttaps_taps_row_sum < 7) and (((sample_row + (lefttaps_offset_y / 32) + 65025) mod
         65536) < 12);
+      if lefttaps_taps_column_is_equal then
+        lefttaps_taps_column <= ((lefttaps_source_x / 32) + 65025) mod 256;
+      else
+        lefttaps_taps_column <= 0;
+      end if;
       -- righttaps
       righttaps_taps_column_is_equal := (righttaps_source_x / 1024) = 16;
       righttaps_taps_row_value := (righttaps_offset_y / 32) mod 4;
@@ -895,7 +1125,6 @@ begin
       righttaps_source_x <= (((rightoffsets_x_row_value / 32) + sample_place_column) * 32) + (rightoffsets_x_row_value
         mod 32);
       righttaps_offset_y <= rightoffsets_y_row_value;
-      righttaps_taps_column <= ((righttaps_source_x / 32) + 65025) mod 256 when righttaps_taps_column_is_equal else 0;
       righttaps_taps_row <= (sample_taken_row + righttaps_taps_row_choice) mod 8;
       righttaps_weight_x <= righttaps_source_x mod 32;
       righttaps_weight_y <= righttaps_offset_y mod 32;
@@ -905,6 +1134,11 @@ begin
         (((sample_row + (righttaps_offset_y / 32) + 65024) mod 65536) < 12);
       righttaps_row_shown_1 <= (righttaps_taps_row_sum < 7) and (((sample_row + (righttaps_offset_y / 32) + 65025) mod
         65536) < 12);
+      if righttaps_taps_column_is_equal then
+        righttaps_taps_column <= ((righttaps_source_x / 32) + 65025) mod 256;
+      else
+        righttaps_taps_column <= 0;
+      end if;
       -- leftsampler
       leftsampler_rows_even_line_value := (lefttaps_taps_row + 1) / 2;
       if lefttaps_row_shown_0 then
@@ -913,32 +1147,66 @@ begin
       else
         leftsampler_shown_held_0_choice := 0;
       end if;
-      leftsampler_pixel_left_from_choice := leftsampler_rows_odd_odd_ready_word when leftsampler_rows_column_odd_3 else
-        leftsampler_rows_odd_even_ready_word;
-      leftsampler_pixel_left_from_choice_2 := leftsampler_rows_even_odd_ready_word when leftsampler_rows_column_odd_3
-        else leftsampler_rows_even_even_ready_word;
-      leftsampler_pixel_left_from_choice_3 := leftsampler_pixel_left_from_choice when leftsampler_rows_row_odd_3 else
-        leftsampler_pixel_left_from_choice_2;
-      leftsampler_pixel_left_from_choice_4 := leftsampler_pixel_left_from_choice_3 when (leftsampler_shown_held_3 mod
-        2) = 1 else 0;
-      leftsampler_pixel_left_difference_choice := leftsampler_pixel_left_from_choice_2 when leftsampler_rows_row_odd_3
-        else leftsampler_pixel_left_from_choice;
-      leftsampler_pixel_left_difference_choice_2 := leftsampler_pixel_left_difference_choice when
-        ((leftsampler_shown_held_3 / 4) mod 2) = 1 else 0;
-      leftsampler_pixel_right_from_choice := leftsampler_rows_odd_even_ready_word when leftsampler_rows_column_odd_3
-        else leftsampler_rows_odd_odd_ready_word;
-      leftsampler_pixel_right_from_choice_2 := leftsampler_rows_even_even_ready_word when leftsampler_rows_column_odd_3
-        else leftsampler_rows_even_odd_ready_word;
-      leftsampler_pixel_right_from_choice_3 := leftsampler_pixel_right_from_choice when leftsampler_rows_row_odd_3 else
-        leftsampler_pixel_right_from_choice_2;
-      leftsampler_pixel_right_from_choice_4 := leftsampler_pixel_right_from_choice_3 when ((leftsampler_shown_held_3 /
-        2) mod 2) = 1 else 0;
-      leftsampler_pixel_right_difference_choice := leftsampler_pixel_right_from_choice_2 when
-        leftsampler_rows_row_odd_3 else leftsampler_pixel_right_from_choice;
-      leftsampler_pixel_right_difference_choice_2 := leftsampler_pixel_right_difference_choice when
-        (leftsampler_shown_held_3 / 8) = 1 else 0;
-      leftsampler_rows_even_line <= 0 when lefttaps_taps_row = 7 else ((leftsampler_rows_even_line_value mod 4) * 16) +
-        leftsampler_rows_even_line_value;
+      if leftsampler_rows_column_odd_3 then
+        leftsampler_pixel_left_from_choice := leftsampler_rows_odd_odd_ready_word;
+      else
+        leftsampler_pixel_left_from_choice := leftsampler_rows_odd_even_ready_word;
+      end if;
+      if leftsampler_rows_column_odd_3 then
+        leftsampler_pixel_left_from_choice_2 := leftsampler_rows_even_odd_ready_word;
+      else
+        leftsampler_pixel_left_from_choice_2 := leftsampler_rows_even_even_ready_word;
+      end if;
+      if leftsampler_rows_row_odd_3 then
+        leftsampler_pixel_left_from_choice_3 := leftsampler_pixel_left_from_choice;
+      else
+        leftsampler_pixel_left_from_choice_3 := leftsampler_pixel_left_from_choice_2;
+      end if;
+      if (leftsampler_shown_held_3 mod 2) = 1 then
+        leftsampler_pixel_left_from_choice_4 := leftsampler_pixel_left_from_choice_3;
+      else
+        leftsampler_pixel_left_from_choice_4 := 0;
+      end if;
+      if leftsampler_rows_row_odd_3 then
+        leftsampler_pixel_left_difference_choice := leftsampler_pixel_left_from_choice_2;
+      else
+        leftsampler_pixel_left_difference_choice := leftsampler_pixel_left_from_choice;
+      end if;
+      if ((leftsampler_shown_held_3 / 4) mod 2) = 1 then
+        leftsampler_pixel_left_difference_choice_2 := leftsampler_pixel_left_difference_choice;
+      else
+        leftsampler_pixel_left_difference_choice_2 := 0;
+      end if;
+      if leftsampler_rows_column_odd_3 then
+        leftsampler_pixel_right_from_choice := leftsampler_rows_odd_even_ready_word;
+      else
+        leftsampler_pixel_right_from_choice := leftsampler_rows_odd_odd_ready_word;
+      end if;
+      if leftsampler_rows_column_odd_3 then
+        leftsampler_pixel_right_from_choice_2 := leftsampler_rows_even_even_ready_word;
+      else
+        leftsampler_pixel_right_from_choice_2 := leftsampler_rows_even_odd_ready_word;
+      end if;
+      if leftsampler_rows_row_odd_3 then
+        leftsampler_pixel_right_from_choice_3 := leftsampler_pixel_right_from_choice;
+      else
+        leftsampler_pixel_right_from_choice_3 := leftsampler_pixel_right_from_choice_2;
+      end if;
+      if ((leftsampler_shown_held_3 / 2) mod 2) = 1 then
+        leftsampler_pixel_right_from_choice_4 := leftsampler_pixel_right_from_choice_3;
+      else
+        leftsampler_pixel_right_from_choice_4 := 0;
+      end if;
+      if leftsampler_rows_row_odd_3 then
+        leftsampler_pixel_right_difference_choice := leftsampler_pixel_right_from_choice_2;
+      else
+        leftsampler_pixel_right_difference_choice := leftsampler_pixel_right_from_choice;
+      end if;
+      if (leftsampler_shown_held_3 / 8) = 1 then
+        leftsampler_pixel_right_difference_choice_2 := leftsampler_pixel_right_difference_choice;
+      else
+        leftsampler_pixel_right_difference_choice_2 := 0;
+      end if;
       leftsampler_rows_odd_line <= ((lefttaps_taps_row / 2) * 16) + (lefttaps_taps_row / 2);
       leftsampler_rows_write_line <= ((sample_kept_row / 2) * 16) + (sample_kept_row / 2);
       leftsampler_rows_even_column <= ((lefttaps_taps_column + 1) mod 256) / 2;
@@ -977,8 +1245,6 @@ begin
       leftsampler_weight_y_held_1 <= leftsampler_weight_y_held_0;
       leftsampler_weight_y_held_2 <= leftsampler_weight_y_held_1;
       leftsampler_weight_y_held_3 <= leftsampler_weight_y_held_2;
-      leftsampler_shown_held_0 <= leftsampler_shown_held_0_choice + (as_number(lefttaps_column_shown_0) * 4) +
-        (as_number(lefttaps_column_shown_1) * 8) when lefttaps_row_shown_1 else leftsampler_shown_held_0_choice;
       leftsampler_shown_held_1 <= leftsampler_shown_held_0;
       leftsampler_shown_held_2 <= leftsampler_shown_held_1;
       leftsampler_shown_held_3 <= leftsampler_shown_held_2;
@@ -1006,6 +1272,18 @@ begin
       leftsampler_pixel_row_share <= leftsampler_pixel_row_difference * leftsampler_pixel_row_part;
       leftsampler_pixel_row_value <= (((((leftsampler_pixel_row_base / 32) + ((leftsampler_pixel_row_share mod 524288)
         / 32)) mod 16384) * 32) / 1024) mod 256;
+      if lefttaps_taps_row = 7 then
+        leftsampler_rows_even_line <= 0;
+      else
+        leftsampler_rows_even_line <= ((leftsampler_rows_even_line_value mod 4) * 16) +
+          leftsampler_rows_even_line_value;
+      end if;
+      if lefttaps_row_shown_1 then
+        leftsampler_shown_held_0 <= leftsampler_shown_held_0_choice + (as_number(lefttaps_column_shown_0) * 4) +
+          (as_number(lefttaps_column_shown_1) * 8);
+      else
+        leftsampler_shown_held_0 <= leftsampler_shown_held_0_choice;
+      end if;
       leftsampler_rows_even_even_write_address_sum := leftsampler_rows_write_line + leftsampler_rows_write_column;
       if leftsampler_rows_to_even_even then
         leftsampler_rows_even_even_write_address <= leftsampler_rows_even_even_write_address_sum;
@@ -1031,32 +1309,66 @@ begin
       else
         rightsampler_shown_held_0_choice := 0;
       end if;
-      rightsampler_pixel_left_from_choice := rightsampler_rows_odd_odd_ready_word when rightsampler_rows_column_odd_3
-        else rightsampler_rows_odd_even_ready_word;
-      rightsampler_pixel_left_from_choice_2 := rightsampler_rows_even_odd_ready_word when
-        rightsampler_rows_column_odd_3 else rightsampler_rows_even_even_ready_word;
-      rightsampler_pixel_left_from_choice_3 := rightsampler_pixel_left_from_choice when rightsampler_rows_row_odd_3
-        else rightsampler_pixel_left_from_choice_2;
-      rightsampler_pixel_left_from_choice_4 := rightsampler_pixel_left_from_choice_3 when (rightsampler_shown_held_3
-        mod 2) = 1 else 0;
-      rightsampler_pixel_left_difference_choice := rightsampler_pixel_left_from_choice_2 when
-        rightsampler_rows_row_odd_3 else rightsampler_pixel_left_from_choice;
-      rightsampler_pixel_left_difference_choice_2 := rightsampler_pixel_left_difference_choice when
-        ((rightsampler_shown_held_3 / 4) mod 2) = 1 else 0;
-      rightsampler_pixel_right_from_choice := rightsampler_rows_odd_even_ready_word when rightsampler_rows_column_odd_3
-        else rightsampler_rows_odd_odd_ready_word;
-      rightsampler_pixel_right_from_choice_2 := rightsampler_rows_even_even_ready_word when
-        rightsampler_rows_column_odd_3 else rightsampler_rows_even_odd_ready_word;
-      rightsampler_pixel_right_from_choice_3 := rightsampler_pixel_right_from_choice when rightsampler_rows_row_odd_3
-        else rightsampler_pixel_right_from_choice_2;
-      rightsampler_pixel_right_from_choice_4 := rightsampler_pixel_right_from_choice_3 when ((rightsampler_shown_held_3
-        / 2) mod 2) = 1 else 0;
-      rightsampler_pixel_right_difference_choice := rightsampler_pixel_right_from_choice_2 when
-        rightsampler_rows_row_odd_3 else rightsampler_pixel_right_from_choice;
-      rightsampler_pixel_right_difference_choice_2 := rightsampler_pixel_right_difference_choice when
-        (rightsampler_shown_held_3 / 8) = 1 else 0;
-      rightsampler_rows_even_line <= 0 when righttaps_taps_row = 7 else ((rightsampler_rows_even_line_value mod 4) *
-        16) + rightsampler_rows_even_line_value;
+      if rightsampler_rows_column_odd_3 then
+        rightsampler_pixel_left_from_choice := rightsampler_rows_odd_odd_ready_word;
+      else
+        rightsampler_pixel_left_from_choice := rightsampler_rows_odd_even_ready_word;
+      end if;
+      if rightsampler_rows_column_odd_3 then
+        rightsampler_pixel_left_from_choice_2 := rightsampler_rows_even_odd_ready_word;
+      else
+        rightsampler_pixel_left_from_choice_2 := rightsampler_rows_even_even_ready_word;
+      end if;
+      if rightsampler_rows_row_odd_3 then
+        rightsampler_pixel_left_from_choice_3 := rightsampler_pixel_left_from_choice;
+      else
+        rightsampler_pixel_left_from_choice_3 := rightsampler_pixel_left_from_choice_2;
+      end if;
+      if (rightsampler_shown_held_3 mod 2) = 1 then
+        rightsampler_pixel_left_from_choice_4 := rightsampler_pixel_left_from_choice_3;
+      else
+        rightsampler_pixel_left_from_choice_4 := 0;
+      end if;
+      if rightsampler_rows_row_odd_3 then
+        rightsampler_pixel_left_difference_choice := rightsampler_pixel_left_from_choice_2;
+      else
+        rightsampler_pixel_left_difference_choice := rightsampler_pixel_left_from_choice;
+      end if;
+      if ((rightsampler_shown_held_3 / 4) mod 2) = 1 then
+        rightsampler_pixel_left_difference_choice_2 := rightsampler_pixel_left_difference_choice;
+      else
+        rightsampler_pixel_left_difference_choice_2 := 0;
+      end if;
+      if rightsampler_rows_column_odd_3 then
+        rightsampler_pixel_right_from_choice := rightsampler_rows_odd_even_ready_word;
+      else
+        rightsampler_pixel_right_from_choice := rightsampler_rows_odd_odd_ready_word;
+      end if;
+      if rightsampler_rows_column_odd_3 then
+        rightsampler_pixel_right_from_choice_2 := rightsampler_rows_even_even_ready_word;
+      else
+        rightsampler_pixel_right_from_choice_2 := rightsampler_rows_even_odd_ready_word;
+      end if;
+      if rightsampler_rows_row_odd_3 then
+        rightsampler_pixel_right_from_choice_3 := rightsampler_pixel_right_from_choice;
+      else
+        rightsampler_pixel_right_from_choice_3 := rightsampler_pixel_right_from_choice_2;
+      end if;
+      if ((rightsampler_shown_held_3 / 2) mod 2) = 1 then
+        rightsampler_pixel_right_from_choice_4 := rightsampler_pixel_right_from_choice_3;
+      else
+        rightsampler_pixel_right_from_choice_4 := 0;
+      end if;
+      if rightsampler_rows_row_odd_3 then
+        rightsampler_pixel_right_difference_choice := rightsampler_pixel_right_from_choice_2;
+      else
+        rightsampler_pixel_right_difference_choice := rightsampler_pixel_right_from_choice;
+      end if;
+      if (rightsampler_shown_held_3 / 8) = 1 then
+        rightsampler_pixel_right_difference_choice_2 := rightsampler_pixel_right_difference_choice;
+      else
+        rightsampler_pixel_right_difference_choice_2 := 0;
+      end if;
       rightsampler_rows_odd_line <= ((righttaps_taps_row / 2) * 16) + (righttaps_taps_row / 2);
       rightsampler_rows_even_column <= ((righttaps_taps_column + 1) mod 256) / 2;
       rightsampler_rows_odd_column <= righttaps_taps_column / 2;
@@ -1085,8 +1397,6 @@ begin
       rightsampler_weight_y_held_1 <= rightsampler_weight_y_held_0;
       rightsampler_weight_y_held_2 <= rightsampler_weight_y_held_1;
       rightsampler_weight_y_held_3 <= rightsampler_weight_y_held_2;
-      rightsampler_shown_held_0 <= rightsampler_shown_held_0_choice + (as_number(righttaps_column_shown_0) * 4) +
-        (as_number(righttaps_column_shown_1) * 8) when righttaps_row_shown_1 else rightsampler_shown_held_0_choice;
       rightsampler_shown_held_1 <= rightsampler_shown_held_0;
       rightsampler_shown_held_2 <= rightsampler_shown_held_1;
       rightsampler_shown_held_3 <= rightsampler_shown_held_2;
@@ -1114,6 +1424,18 @@ begin
       rightsampler_pixel_row_share <= rightsampler_pixel_row_part * rightsampler_pixel_row_difference;
       rightsampler_pixel_row_value <= ((((((rightsampler_pixel_row_share mod 524288) / 32) +
         (rightsampler_pixel_row_base / 32)) mod 16384) * 32) / 1024) mod 256;
+      if righttaps_taps_row = 7 then
+        rightsampler_rows_even_line <= 0;
+      else
+        rightsampler_rows_even_line <= ((rightsampler_rows_even_line_value mod 4) * 16) +
+          rightsampler_rows_even_line_value;
+      end if;
+      if righttaps_row_shown_1 then
+        rightsampler_shown_held_0 <= rightsampler_shown_held_0_choice + (as_number(righttaps_column_shown_0) * 4) +
+          (as_number(righttaps_column_shown_1) * 8);
+      else
+        rightsampler_shown_held_0 <= rightsampler_shown_held_0_choice;
+      end if;
       if leftsampler_rows_to_even_even then
         rightsampler_rows_even_even_write_word <= rightsampler_rows_written;
       end if;

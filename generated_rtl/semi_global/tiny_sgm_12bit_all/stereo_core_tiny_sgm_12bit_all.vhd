@@ -656,269 +656,437 @@ architecture rtl of stereo_core_tiny_sgm_12bit_all is
   signal other_9 : natural range 0 to 224;
   signal other_10 : natural range 0 to 192;
   signal other_11 : natural range 0 to 128;
+  signal other_4_memory_read_enable : boolean;
+  signal other_4_memory_read_address : unsigned(5 downto 0);
+  signal other_4_memory_write_address : unsigned(5 downto 0);
   signal other_4_memory_write_data : unsigned(25 downto 0);
+  signal turn_read_words_0_memory_read_enable : boolean;
+  signal turn_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal turn_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(13 downto 0);
+  signal leftright_found_0_memory_read_enable : boolean;
+  signal leftright_found_0_memory_read_address : unsigned(3 downto 0);
+  signal leftright_found_0_memory_write_address : unsigned(3 downto 0);
   signal leftright_found_0_memory_write_data : unsigned(3 downto 0);
+  signal leftright_held_0_memory_read_enable : boolean;
+  signal leftright_held_0_memory_read_address : unsigned(3 downto 0);
+  signal leftright_held_0_memory_write_address : unsigned(3 downto 0);
   signal leftright_held_0_memory_write_data : unsigned(17 downto 0);
+  signal sums_sum_delay_held_3_memory_read_enable : boolean;
+  signal sums_sum_delay_held_3_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_3_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_3_memory_write_data : unsigned(26 downto 0);
+  signal sums_sum_delay_held_2_memory_read_enable : boolean;
+  signal sums_sum_delay_held_2_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_2_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(26 downto 0);
+  signal sums_sum_delay_held_1_memory_read_enable : boolean;
+  signal sums_sum_delay_held_1_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_1_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(26 downto 0);
+  signal sums_sum_delay_held_0_memory_read_enable : boolean;
+  signal sums_sum_delay_held_0_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_0_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(26 downto 0);
+  signal sums_turn_read_sums_3_memory_read_enable : boolean;
+  signal sums_turn_read_sums_3_memory_read_address : unsigned(5 downto 0);
+  signal sums_turn_read_sums_3_memory_write_address : unsigned(5 downto 0);
   signal sums_turn_read_sums_3_memory_write_data : unsigned(26 downto 0);
+  signal sums_turn_read_sums_2_memory_read_enable : boolean;
+  signal sums_turn_read_sums_2_memory_read_address : unsigned(5 downto 0);
+  signal sums_turn_read_sums_2_memory_write_address : unsigned(5 downto 0);
   signal sums_turn_read_sums_2_memory_write_data : unsigned(26 downto 0);
+  signal sums_turn_read_sums_1_memory_read_enable : boolean;
+  signal sums_turn_read_sums_1_memory_read_address : unsigned(5 downto 0);
+  signal sums_turn_read_sums_1_memory_write_address : unsigned(5 downto 0);
   signal sums_turn_read_sums_1_memory_write_data : unsigned(26 downto 0);
+  signal sums_turn_read_sums_0_memory_read_enable : boolean;
+  signal sums_turn_read_sums_0_memory_read_address : unsigned(5 downto 0);
+  signal sums_turn_read_sums_0_memory_write_address : unsigned(5 downto 0);
   signal sums_turn_read_sums_0_memory_write_data : unsigned(26 downto 0);
+  signal sums_turn_read_costs_2_memory_read_enable : boolean;
+  signal sums_turn_read_costs_2_memory_read_address : unsigned(5 downto 0);
+  signal sums_turn_read_costs_2_memory_write_address : unsigned(5 downto 0);
   signal sums_turn_read_costs_2_memory_write_data : unsigned(11 downto 0);
+  signal sums_turn_read_costs_1_memory_read_enable : boolean;
+  signal sums_turn_read_costs_1_memory_read_address : unsigned(5 downto 0);
+  signal sums_turn_read_costs_1_memory_write_address : unsigned(5 downto 0);
   signal sums_turn_read_costs_1_memory_write_data : unsigned(29 downto 0);
+  signal sums_turn_read_costs_0_memory_read_enable : boolean;
+  signal sums_turn_read_costs_0_memory_read_address : unsigned(5 downto 0);
+  signal sums_turn_read_costs_0_memory_write_address : unsigned(5 downto 0);
   signal sums_turn_read_costs_0_memory_write_data : unsigned(29 downto 0);
+  signal sums_turn_read_smallest_0_memory_read_enable : boolean;
+  signal sums_turn_read_smallest_0_memory_read_address : unsigned(5 downto 0);
+  signal sums_turn_read_smallest_0_memory_write_address : unsigned(5 downto 0);
   signal sums_turn_read_smallest_0_memory_write_data : unsigned(7 downto 0);
+  signal forward_above_read_words_1_memory_read_enable : boolean;
+  signal forward_above_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal forward_above_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal forward_above_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_0_memory_read_enable : boolean;
+  signal forward_above_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal forward_above_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal forward_above_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_delay_held_2_memory_read_enable : boolean;
+  signal forward_above_delay_held_2_memory_read_address : unsigned(2 downto 0);
+  signal forward_above_delay_held_2_memory_write_address : unsigned(2 downto 0);
   signal forward_above_delay_held_2_memory_write_data : unsigned(28 downto 0);
+  signal forward_above_delay_held_1_memory_read_enable : boolean;
+  signal forward_above_delay_held_1_memory_read_address : unsigned(2 downto 0);
+  signal forward_above_delay_held_1_memory_write_address : unsigned(2 downto 0);
   signal forward_above_delay_held_1_memory_write_data : unsigned(28 downto 0);
+  signal forward_above_delay_held_0_memory_read_enable : boolean;
+  signal forward_above_delay_held_0_memory_read_address : unsigned(2 downto 0);
+  signal forward_above_delay_held_0_memory_write_address : unsigned(2 downto 0);
   signal forward_above_delay_held_0_memory_write_data : unsigned(28 downto 0);
+  signal forward_cost_delay_held_2_memory_read_enable : boolean;
+  signal forward_cost_delay_held_2_memory_read_address : unsigned(2 downto 0);
+  signal forward_cost_delay_held_2_memory_write_address : unsigned(2 downto 0);
   signal forward_cost_delay_held_2_memory_write_data : unsigned(13 downto 0);
+  signal forward_cost_delay_held_1_memory_read_enable : boolean;
+  signal forward_cost_delay_held_1_memory_read_address : unsigned(2 downto 0);
+  signal forward_cost_delay_held_1_memory_write_address : unsigned(2 downto 0);
   signal forward_cost_delay_held_1_memory_write_data : unsigned(31 downto 0);
+  signal forward_cost_delay_held_0_memory_read_enable : boolean;
+  signal forward_cost_delay_held_0_memory_read_address : unsigned(2 downto 0);
+  signal forward_cost_delay_held_0_memory_write_address : unsigned(2 downto 0);
   signal forward_cost_delay_held_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(21 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(21 downto 0);
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 16));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  other_4_memory_read_enable <= true;
+  other_4_memory_read_address <= to_unsigned(map_counter_column, 6);
+  other_4_memory_write_address <= to_unsigned(map_at_column, 6);
   other_4_memory_write_data <= to_unsigned((map_rows_write_words_0 mod 67108864), 26);
   other_4_memory : entity work.line_memory
-    generic map (depth => 38, width => 26)
+    generic map (depth => 38, width => 26, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => other_4,
-      write_address => map_at_column, write_data => other_4_memory_write_data);
+      clock => clock, read_enable => other_4_memory_read_enable,
+      read_address => other_4_memory_read_address, read_data => other_4,
+      write_address => other_4_memory_write_address, write_data => other_4_memory_write_data);
 
+  turn_read_words_0_memory_read_enable <= true;
+  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 6);
+  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 6);
   turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 14);
   turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 38, width => 14)
+    generic map (depth => 38, width => 14, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
+      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
+      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
 
+  leftright_found_0_memory_read_enable <= true;
+  leftright_found_0_memory_read_address <= to_unsigned(leftright_address_0, 4);
+  leftright_found_0_memory_write_address <= to_unsigned(leftright_position, 4);
   leftright_found_0_memory_write_data <= to_unsigned(leftright_other_15_0, 4);
   leftright_found_0_memory : entity work.line_memory
-    generic map (depth => 16, width => 4)
+    generic map (depth => 16, width => 4, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_address_0, read_data => leftright_found_0,
-      write_address => leftright_position, write_data => leftright_found_0_memory_write_data);
+      clock => clock, read_enable => leftright_found_0_memory_read_enable,
+      read_address => leftright_found_0_memory_read_address, read_data => leftright_found_0,
+      write_address => leftright_found_0_memory_write_address, write_data => leftright_found_0_memory_write_data);
 
+  leftright_held_0_memory_read_enable <= true;
+  leftright_held_0_memory_read_address <= to_unsigned(leftright_ring_read_address, 4);
+  leftright_held_0_memory_write_address <= to_unsigned(leftright_ring_write_address, 4);
   leftright_held_0_memory_write_data <= to_unsigned(refinement_fraction_0, 5) & to_unsigned(as_number(refinement_passed_11_0), 1) & to_unsigned(refinement_disparity_11_0, 8) & to_unsigned(as_number(refinement_tag_11_end_of_line), 1) & to_unsigned(as_number(refinement_tag_11_start_of_frame), 1) & to_unsigned(as_number(refinement_tag_11_output_column), 1) & to_unsigned(as_number(refinement_tag_11_map_column), 1);
   leftright_held_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 18)
+    generic map (depth => 12, width => 18, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => leftright_ring_read_address, read_data => leftright_held_0,
-      write_address => leftright_ring_write_address, write_data => leftright_held_0_memory_write_data);
+      clock => clock, read_enable => leftright_held_0_memory_read_enable,
+      read_address => leftright_held_0_memory_read_address, read_data => leftright_held_0,
+      write_address => leftright_held_0_memory_write_address, write_data => leftright_held_0_memory_write_data);
 
+  sums_sum_delay_held_3_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_3_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_3_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_3_memory_write_data <= to_unsigned(sums_turn_ready_sums_3, 27);
   sums_sum_delay_held_3_memory : entity work.line_memory
-    generic map (depth => 4, width => 27)
+    generic map (depth => 4, width => 27, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_3,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_3_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_3_memory_read_enable,
+      read_address => sums_sum_delay_held_3_memory_read_address, read_data => sums_sum_delay_held_3,
+      write_address => sums_sum_delay_held_3_memory_write_address, write_data => sums_sum_delay_held_3_memory_write_data);
 
+  sums_sum_delay_held_2_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_2_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_2_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 27);
   sums_sum_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 4, width => 27)
+    generic map (depth => 4, width => 27, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_2,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_2_memory_read_enable,
+      read_address => sums_sum_delay_held_2_memory_read_address, read_data => sums_sum_delay_held_2,
+      write_address => sums_sum_delay_held_2_memory_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
 
+  sums_sum_delay_held_1_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_1_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_1_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_1_memory_write_data <= to_unsigned(sums_turn_ready_sums_1, 27);
   sums_sum_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 4, width => 27)
+    generic map (depth => 4, width => 27, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_1,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_1_memory_read_enable,
+      read_address => sums_sum_delay_held_1_memory_read_address, read_data => sums_sum_delay_held_1,
+      write_address => sums_sum_delay_held_1_memory_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
 
+  sums_sum_delay_held_0_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_0_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_0_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_0_memory_write_data <= to_unsigned(sums_turn_ready_sums_0, 27);
   sums_sum_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 4, width => 27)
+    generic map (depth => 4, width => 27, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_0,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_0_memory_read_enable,
+      read_address => sums_sum_delay_held_0_memory_read_address, read_data => sums_sum_delay_held_0,
+      write_address => sums_sum_delay_held_0_memory_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
 
+  sums_turn_read_sums_3_memory_read_enable <= true;
+  sums_turn_read_sums_3_memory_read_address <= to_unsigned(sums_turn_waiting_read_place, 6);
+  sums_turn_read_sums_3_memory_write_address <= to_unsigned(sums_turn_write_place, 6);
   sums_turn_read_sums_3_memory_write_data <= to_unsigned(sums_turn_write_sums_3, 27);
   sums_turn_read_sums_3_memory : entity work.line_memory
-    generic map (depth => 38, width => 27)
+    generic map (depth => 38, width => 27, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_sums_3,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_3_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_3_memory_read_enable,
+      read_address => sums_turn_read_sums_3_memory_read_address, read_data => sums_turn_read_sums_3,
+      write_address => sums_turn_read_sums_3_memory_write_address, write_data => sums_turn_read_sums_3_memory_write_data);
 
+  sums_turn_read_sums_2_memory_read_enable <= true;
+  sums_turn_read_sums_2_memory_read_address <= to_unsigned(sums_turn_waiting_read_place, 6);
+  sums_turn_read_sums_2_memory_write_address <= to_unsigned(sums_turn_write_place, 6);
   sums_turn_read_sums_2_memory_write_data <= to_unsigned(sums_turn_write_sums_2, 27);
   sums_turn_read_sums_2_memory : entity work.line_memory
-    generic map (depth => 38, width => 27)
+    generic map (depth => 38, width => 27, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_sums_2,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_2_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_2_memory_read_enable,
+      read_address => sums_turn_read_sums_2_memory_read_address, read_data => sums_turn_read_sums_2,
+      write_address => sums_turn_read_sums_2_memory_write_address, write_data => sums_turn_read_sums_2_memory_write_data);
 
+  sums_turn_read_sums_1_memory_read_enable <= true;
+  sums_turn_read_sums_1_memory_read_address <= to_unsigned(sums_turn_waiting_read_place, 6);
+  sums_turn_read_sums_1_memory_write_address <= to_unsigned(sums_turn_write_place, 6);
   sums_turn_read_sums_1_memory_write_data <= to_unsigned(sums_turn_write_sums_1, 27);
   sums_turn_read_sums_1_memory : entity work.line_memory
-    generic map (depth => 38, width => 27)
+    generic map (depth => 38, width => 27, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_sums_1,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_1_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_1_memory_read_enable,
+      read_address => sums_turn_read_sums_1_memory_read_address, read_data => sums_turn_read_sums_1,
+      write_address => sums_turn_read_sums_1_memory_write_address, write_data => sums_turn_read_sums_1_memory_write_data);
 
+  sums_turn_read_sums_0_memory_read_enable <= true;
+  sums_turn_read_sums_0_memory_read_address <= to_unsigned(sums_turn_waiting_read_place, 6);
+  sums_turn_read_sums_0_memory_write_address <= to_unsigned(sums_turn_write_place, 6);
   sums_turn_read_sums_0_memory_write_data <= to_unsigned(sums_turn_write_sums_0, 27);
   sums_turn_read_sums_0_memory : entity work.line_memory
-    generic map (depth => 38, width => 27)
+    generic map (depth => 38, width => 27, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_sums_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_0_memory_read_enable,
+      read_address => sums_turn_read_sums_0_memory_read_address, read_data => sums_turn_read_sums_0,
+      write_address => sums_turn_read_sums_0_memory_write_address, write_data => sums_turn_read_sums_0_memory_write_data);
 
+  sums_turn_read_costs_2_memory_read_enable <= true;
+  sums_turn_read_costs_2_memory_read_address <= to_unsigned(sums_turn_waiting_read_place, 6);
+  sums_turn_read_costs_2_memory_write_address <= to_unsigned(sums_turn_write_place, 6);
   sums_turn_read_costs_2_memory_write_data <= to_unsigned(sums_turn_write_costs_2, 12);
   sums_turn_read_costs_2_memory : entity work.line_memory
-    generic map (depth => 38, width => 12)
+    generic map (depth => 38, width => 12, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_costs_2,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_2_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_costs_2_memory_read_enable,
+      read_address => sums_turn_read_costs_2_memory_read_address, read_data => sums_turn_read_costs_2,
+      write_address => sums_turn_read_costs_2_memory_write_address, write_data => sums_turn_read_costs_2_memory_write_data);
 
+  sums_turn_read_costs_1_memory_read_enable <= true;
+  sums_turn_read_costs_1_memory_read_address <= to_unsigned(sums_turn_waiting_read_place, 6);
+  sums_turn_read_costs_1_memory_write_address <= to_unsigned(sums_turn_write_place, 6);
   sums_turn_read_costs_1_memory_write_data <= to_unsigned(sums_turn_write_costs_1, 30);
   sums_turn_read_costs_1_memory : entity work.line_memory
-    generic map (depth => 38, width => 30)
+    generic map (depth => 38, width => 30, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_costs_1,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_1_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_costs_1_memory_read_enable,
+      read_address => sums_turn_read_costs_1_memory_read_address, read_data => sums_turn_read_costs_1,
+      write_address => sums_turn_read_costs_1_memory_write_address, write_data => sums_turn_read_costs_1_memory_write_data);
 
+  sums_turn_read_costs_0_memory_read_enable <= true;
+  sums_turn_read_costs_0_memory_read_address <= to_unsigned(sums_turn_waiting_read_place, 6);
+  sums_turn_read_costs_0_memory_write_address <= to_unsigned(sums_turn_write_place, 6);
   sums_turn_read_costs_0_memory_write_data <= to_unsigned(sums_turn_write_costs_0, 30);
   sums_turn_read_costs_0_memory : entity work.line_memory
-    generic map (depth => 38, width => 30)
+    generic map (depth => 38, width => 30, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_costs_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_costs_0_memory_read_enable,
+      read_address => sums_turn_read_costs_0_memory_read_address, read_data => sums_turn_read_costs_0,
+      write_address => sums_turn_read_costs_0_memory_write_address, write_data => sums_turn_read_costs_0_memory_write_data);
 
+  sums_turn_read_smallest_0_memory_read_enable <= true;
+  sums_turn_read_smallest_0_memory_read_address <= to_unsigned(sums_turn_waiting_read_place, 6);
+  sums_turn_read_smallest_0_memory_write_address <= to_unsigned(sums_turn_write_place, 6);
   sums_turn_read_smallest_0_memory_write_data <= to_unsigned(sums_turn_write_smallest_0, 8);
   sums_turn_read_smallest_0_memory : entity work.line_memory
-    generic map (depth => 38, width => 8)
+    generic map (depth => 38, width => 8, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => sums_turn_waiting_read_place, read_data => sums_turn_read_smallest_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_smallest_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_smallest_0_memory_read_enable,
+      read_address => sums_turn_read_smallest_0_memory_read_address, read_data => sums_turn_read_smallest_0,
+      write_address => sums_turn_read_smallest_0_memory_write_address, write_data => sums_turn_read_smallest_0_memory_write_data);
 
+  forward_above_read_words_1_memory_read_enable <= true;
+  forward_above_read_words_1_memory_read_address <= to_unsigned(entry_next_column, 6);
+  forward_above_read_words_1_memory_write_address <= to_unsigned(forward_above_write_column, 6);
   forward_above_read_words_1_memory_write_data <= forward_above_write_words_1;
   forward_above_read_words_1_memory : entity work.line_memory
-    generic map (depth => 38, width => 32)
+    generic map (depth => 38, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_next_column, read_data => forward_above_read_words_1,
-      write_address => forward_above_write_column, write_data => forward_above_read_words_1_memory_write_data);
+      clock => clock, read_enable => forward_above_read_words_1_memory_read_enable,
+      read_address => forward_above_read_words_1_memory_read_address, read_data => forward_above_read_words_1,
+      write_address => forward_above_read_words_1_memory_write_address, write_data => forward_above_read_words_1_memory_write_data);
 
+  forward_above_read_words_0_memory_read_enable <= true;
+  forward_above_read_words_0_memory_read_address <= to_unsigned(entry_next_column, 6);
+  forward_above_read_words_0_memory_write_address <= to_unsigned(forward_above_write_column, 6);
   forward_above_read_words_0_memory_write_data <= forward_above_write_words_0;
   forward_above_read_words_0_memory : entity work.line_memory
-    generic map (depth => 38, width => 32)
+    generic map (depth => 38, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_next_column, read_data => forward_above_read_words_0,
-      write_address => forward_above_write_column, write_data => forward_above_read_words_0_memory_write_data);
+      clock => clock, read_enable => forward_above_read_words_0_memory_read_enable,
+      read_address => forward_above_read_words_0_memory_read_address, read_data => forward_above_read_words_0,
+      write_address => forward_above_read_words_0_memory_write_address, write_data => forward_above_read_words_0_memory_write_data);
 
+  forward_above_delay_held_2_memory_read_enable <= entry_tag_valid;
+  forward_above_delay_held_2_memory_read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
+  forward_above_delay_held_2_memory_write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
   forward_above_delay_held_2_memory_write_data <= ((to_unsigned(forward_above_total_11, 8) & to_unsigned(to_integer(((to_unsigned(forward_above_total_9, 8) & to_unsigned(0, 7)) or (to_unsigned(forward_above_total_8, 15)))), 21)) or (to_unsigned(forward_above_total_10, 15) & to_unsigned(0, 14)));
   forward_above_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 5, width => 29)
+    generic map (depth => 5, width => 29, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_2,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
+      clock => clock, read_enable => forward_above_delay_held_2_memory_read_enable,
+      read_address => forward_above_delay_held_2_memory_read_address, read_data => forward_above_delay_held_2,
+      write_address => forward_above_delay_held_2_memory_write_address, write_data => forward_above_delay_held_2_memory_write_data);
 
+  forward_above_delay_held_1_memory_read_enable <= entry_tag_valid;
+  forward_above_delay_held_1_memory_read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
+  forward_above_delay_held_1_memory_write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
   forward_above_delay_held_1_memory_write_data <= ((to_unsigned(forward_above_total_7, 8) & to_unsigned(to_integer(((to_unsigned(forward_above_total_5, 8) & to_unsigned(0, 7)) or (to_unsigned(forward_above_total_4, 15)))), 21)) or (to_unsigned(forward_above_total_6, 15) & to_unsigned(0, 14)));
   forward_above_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 5, width => 29)
+    generic map (depth => 5, width => 29, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_1,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
+      clock => clock, read_enable => forward_above_delay_held_1_memory_read_enable,
+      read_address => forward_above_delay_held_1_memory_read_address, read_data => forward_above_delay_held_1,
+      write_address => forward_above_delay_held_1_memory_write_address, write_data => forward_above_delay_held_1_memory_write_data);
 
+  forward_above_delay_held_0_memory_read_enable <= entry_tag_valid;
+  forward_above_delay_held_0_memory_read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
+  forward_above_delay_held_0_memory_write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
   forward_above_delay_held_0_memory_write_data <= ((to_unsigned(forward_above_total_3, 8) & to_unsigned(to_integer(((to_unsigned(forward_above_total_1, 8) & to_unsigned(0, 7)) or (to_unsigned(forward_above_total_0, 15)))), 21)) or (to_unsigned(forward_above_total_2, 15) & to_unsigned(0, 14)));
   forward_above_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 5, width => 29)
+    generic map (depth => 5, width => 29, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_above_delay_held_0,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
+      clock => clock, read_enable => forward_above_delay_held_0_memory_read_enable,
+      read_address => forward_above_delay_held_0_memory_read_address, read_data => forward_above_delay_held_0,
+      write_address => forward_above_delay_held_0_memory_write_address, write_data => forward_above_delay_held_0_memory_write_data);
 
+  forward_cost_delay_held_2_memory_read_enable <= entry_tag_valid;
+  forward_cost_delay_held_2_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+  forward_cost_delay_held_2_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
   forward_cost_delay_held_2_memory_write_data <= ((to_unsigned(entry_cost_11, 8) & to_unsigned(0, 6)) or (to_unsigned(entry_cost_10, 14)));
   forward_cost_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 5, width => 14)
+    generic map (depth => 5, width => 14, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_2,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_2_memory_write_data);
+      clock => clock, read_enable => forward_cost_delay_held_2_memory_read_enable,
+      read_address => forward_cost_delay_held_2_memory_read_address, read_data => forward_cost_delay_held_2,
+      write_address => forward_cost_delay_held_2_memory_write_address, write_data => forward_cost_delay_held_2_memory_write_data);
 
+  forward_cost_delay_held_1_memory_read_enable <= entry_tag_valid;
+  forward_cost_delay_held_1_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+  forward_cost_delay_held_1_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
   forward_cost_delay_held_1_memory_write_data <= ((((((((to_unsigned(entry_cost_8, 14) & to_unsigned(0, 18)) or (to_unsigned(entry_cost_9, 8) & to_unsigned(0, 24)))) or (to_unsigned(entry_cost_7, 20) & to_unsigned(0, 12)))) or (to_unsigned(entry_cost_5, 32)))) or (to_unsigned(entry_cost_6, 26) & to_unsigned(0, 6)));
   forward_cost_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 5, width => 32)
+    generic map (depth => 5, width => 32, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_1,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
+      clock => clock, read_enable => forward_cost_delay_held_1_memory_read_enable,
+      read_address => forward_cost_delay_held_1_memory_read_address, read_data => forward_cost_delay_held_1,
+      write_address => forward_cost_delay_held_1_memory_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
 
+  forward_cost_delay_held_0_memory_read_enable <= entry_tag_valid;
+  forward_cost_delay_held_0_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+  forward_cost_delay_held_0_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
   forward_cost_delay_held_0_memory_write_data <= ((((((((to_unsigned(entry_cost_3, 14) & to_unsigned(0, 18)) or (to_unsigned(entry_cost_4, 8) & to_unsigned(0, 24)))) or (to_unsigned(entry_cost_2, 20) & to_unsigned(0, 12)))) or (to_unsigned(entry_cost_0, 32)))) or (to_unsigned(entry_cost_1, 26) & to_unsigned(0, 6)));
   forward_cost_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 5, width => 32)
+    generic map (depth => 5, width => 32, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_0,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
+      clock => clock, read_enable => forward_cost_delay_held_0_memory_read_enable,
+      read_address => forward_cost_delay_held_0_memory_read_address, read_data => forward_cost_delay_held_0,
+      write_address => forward_cost_delay_held_0_memory_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 22);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 22)
+    generic map (depth => 40, width => 22, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned((rows_reference_rows_write_words_0 mod 4194304), 22);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 22)
+    generic map (depth => 40, width => 22, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_0_memory_write_data <= to_unsigned(transform_left_rows_write_words_0, 24);
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_0_memory_write_data <= to_unsigned(transform_right_rows_write_words_0, 24);
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1080,30 +1248,53 @@ begin
       transform_counter_group_is_equal := transform_counter_column = 39;
       transform_counter_group_is_equal_2 := transform_counter_group = 11;
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      transform_counter_group_choice := 3 when transform_counter_group_all else 0;
+      if transform_counter_group_all then
+        transform_counter_group_choice := 3;
+      else
+        transform_counter_group_choice := 0;
+      end if;
       transform_counter_group_is_equal_3 := (transform_counter_group / 2) = 6;
-      transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and (not
-        ((transform_counter_group mod 2) = 1)) when transform_counter_group_is_equal_3 else
-        transform_counter_group_is_equal and in_valid;
-      transform_counter_group_choice_3 := 1 when transform_counter_next_frame and (transform_counter_group = 12) else
-        (transform_counter_group + 1) mod 16;
-      transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_choice_2 else
-        transform_counter_group;
-      transform_left_filter_feature_0_choice := 1000 when 500 < transform_left_filter_slope_0 else
-        (((((transform_left_filter_slope_0 mod 65536) / 4) + 125) mod 16384) * 4) + (transform_left_filter_slope_0 mod
-        4);
-      transform_left_filter_feature_0_choice_2 := 0 when transform_left_filter_slope_0 < (-500) else
-        transform_left_filter_feature_0_choice;
-      transform_right_filter_feature_0_choice := 1000 when 500 < transform_right_filter_slope_0 else
-        (((((transform_right_filter_slope_0 mod 65536) / 4) + 125) mod 512) * 4) + (transform_right_filter_slope_0 mod
-        4);
-      transform_right_filter_feature_0_choice_2 := 0 when transform_right_filter_slope_0 < (-500) else
-        transform_right_filter_feature_0_choice;
+      if transform_counter_group_is_equal_3 then
+        transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and (not
+          ((transform_counter_group mod 2) = 1));
+      else
+        transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid;
+      end if;
+      if transform_counter_next_frame and (transform_counter_group = 12) then
+        transform_counter_group_choice_3 := 1;
+      else
+        transform_counter_group_choice_3 := (transform_counter_group + 1) mod 16;
+      end if;
+      if transform_counter_group_choice_2 then
+        transform_counter_group_choice_4 := transform_counter_group_choice_3;
+      else
+        transform_counter_group_choice_4 := transform_counter_group;
+      end if;
+      if 500 < transform_left_filter_slope_0 then
+        transform_left_filter_feature_0_choice := 1000;
+      else
+        transform_left_filter_feature_0_choice := (((((transform_left_filter_slope_0 mod 65536) / 4) + 125) mod 16384)
+          * 4) + (transform_left_filter_slope_0 mod 4);
+      end if;
+      if transform_left_filter_slope_0 < (-500) then
+        transform_left_filter_feature_0_choice_2 := 0;
+      else
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      end if;
+      if 500 < transform_right_filter_slope_0 then
+        transform_right_filter_feature_0_choice := 1000;
+      else
+        transform_right_filter_feature_0_choice := (((((transform_right_filter_slope_0 mod 65536) / 4) + 125) mod 512)
+          * 4) + (transform_right_filter_slope_0 mod 4);
+      end if;
+      if transform_right_filter_slope_0 < (-500) then
+        transform_right_filter_feature_0_choice_2 := 0;
+      else
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      end if;
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice * 4 when in_valid and in_start_of_frame else
-        transform_counter_group_choice_4;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= to_integer(transform_left_rows_read_words_0);
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -1118,8 +1309,6 @@ begin
       transform_read_column_inside_0 <= ((transform_counter_column / 4) /= 0) or (((transform_counter_column / 2) mod
         2) = 1) or ((transform_counter_column mod 2) = 1);
       transform_read_column_inside_1 <= true;
-      transform_read_column_inside_2 <= (transform_counter_column = 0) /= ((transform_counter_column / 32) = 1) when
-        ((transform_counter_column / 2) mod 16) = 0 else transform_counter_column /= 0;
       transform_read_start_of_frame <= (transform_counter_column = 1) and (transform_counter_group = 1);
       transform_read_valid <= transform_valid;
       transform_ready_column <= transform_read_column;
@@ -1145,11 +1334,7 @@ begin
       transform_columns_valid <= transform_ready_valid;
       transform_left_filter_slope_0 <= transform_left_filter_column_0_0 - transform_left_filter_column_2_0;
       transform_left_filter_whole <= transform_filtering_0_column_inside_2 and transform_filtering_0_column_inside_0;
-      transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2 when transform_left_filter_whole else
-        500;
       transform_right_filter_slope_0 <= transform_right_filter_column_0_0 - transform_right_filter_column_2_0;
-      transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2 when transform_left_filter_whole
-        else 500;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
       transform_filtering_0_start_of_frame <= transform_columns_start_of_frame;
@@ -1158,16 +1343,45 @@ begin
       transform_filtering_1_valid <= transform_filtering_0_valid;
       transform_filtering_2_start_of_frame <= transform_filtering_1_start_of_frame;
       transform_filtering_2_valid <= transform_filtering_1_valid;
-      transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1)
-        when transform_counter_group_is_equal else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
-        transform_counter_group_is_equal_3 else transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= transform_counter_group_choice * 4;
+      else
+        transform_counter_group <= transform_counter_group_choice_4;
+      end if;
+      if ((transform_counter_column / 2) mod 16) = 0 then
+        transform_read_column_inside_2 <= (transform_counter_column = 0) /= ((transform_counter_column / 32) = 1);
+      else
+        transform_read_column_inside_2 <= transform_counter_column /= 0;
+      end if;
+      if transform_left_filter_whole then
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_2;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_2;
+      else
+        transform_left_filter_feature_0 <= 500;
+        transform_right_filter_feature_0 <= 500;
+      end if;
+      if transform_counter_group_is_equal then
+        transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1);
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
+      if transform_counter_group_is_equal_3 then
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
+      else
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
-          (transform_counter_column + 1) mod 64;
-        transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame) when
-          transform_counter_next_frame_choice_2 else transform_counter_group_is_equal and
-          transform_counter_group_is_equal_2 and in_start_of_frame;
+        if transform_counter_group_is_equal or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 64;
+        end if;
+        if transform_counter_next_frame_choice_2 then
+          transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame);
+        else
+          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= (transform_left_rows_ready_words_0 / 4096) +
@@ -1176,16 +1390,28 @@ begin
           (transform_right_rows_ready_newest_0 * 4096);
         transform_write_column <= transform_ready_column;
       end if;
-      transform_left_filter_column_0_0_choice := transform_left_column_2 when transform_columns_row_inside_2 else
-        transform_left_column_0;
-      transform_left_filter_column_0_0_choice_2 := transform_left_column_0 when transform_columns_row_inside_0 else
-        transform_left_column_2;
+      if transform_columns_row_inside_2 then
+        transform_left_filter_column_0_0_choice := transform_left_column_2;
+      else
+        transform_left_filter_column_0_0_choice := transform_left_column_0;
+      end if;
+      if transform_columns_row_inside_0 then
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_0;
+      else
+        transform_left_filter_column_0_0_choice_2 := transform_left_column_2;
+      end if;
       transform_left_filter_column_0_0_sum := transform_left_filter_column_0_0_choice +
         transform_left_filter_column_0_0_choice_2;
-      transform_right_filter_column_0_0_choice := transform_right_column_2 when transform_columns_row_inside_2 else
-        transform_right_column_0;
-      transform_right_filter_column_0_0_choice_2 := transform_right_column_0 when transform_columns_row_inside_0 else
-        transform_right_column_2;
+      if transform_columns_row_inside_2 then
+        transform_right_filter_column_0_0_choice := transform_right_column_2;
+      else
+        transform_right_filter_column_0_0_choice := transform_right_column_0;
+      end if;
+      if transform_columns_row_inside_0 then
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_0;
+      else
+        transform_right_filter_column_0_0_choice_2 := transform_right_column_2;
+      end if;
       transform_right_filter_column_0_0_sum := transform_right_filter_column_0_0_choice +
         transform_right_filter_column_0_0_choice_2;
       if transform_columns_valid then
@@ -1202,34 +1428,65 @@ begin
       raster_place_group_is_equal := raster_place_column = 39;
       raster_place_group_is_equal_2 := raster_place_group = 11;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
-      raster_place_group_choice_2 := raster_place_group_is_equal and transform_filtering_2_valid and (not
-        ((raster_place_group mod 2) = 1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal and
-        transform_filtering_2_valid;
-      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
-        (raster_place_group + 1) mod 16;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
-        raster_place_group;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
-        raster_place_next_frame;
-      raster_place_next_frame_choice_3 := transform_filtering_2_valid when raster_place_group_all else
-        transform_filtering_2_valid and (not transform_filtering_2_start_of_frame);
-      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
-        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_2_valid and
-        transform_filtering_2_start_of_frame;
+      if raster_place_group_is_equal_3 then
+        raster_place_group_choice_2 := raster_place_group_is_equal and transform_filtering_2_valid and (not
+          ((raster_place_group mod 2) = 1));
+      else
+        raster_place_group_choice_2 := raster_place_group_is_equal and transform_filtering_2_valid;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 12) then
+        raster_place_group_choice_3 := 1;
+      else
+        raster_place_group_choice_3 := (raster_place_group + 1) mod 16;
+      end if;
+      if raster_place_group_choice_2 then
+        raster_place_group_choice_4 := raster_place_group_choice_3;
+      else
+        raster_place_group_choice_4 := raster_place_group;
+      end if;
+      if raster_place_group_is_equal then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
+      if raster_place_group_all then
+        raster_place_next_frame_choice_3 := transform_filtering_2_valid;
+      else
+        raster_place_next_frame_choice_3 := transform_filtering_2_valid and (not transform_filtering_2_start_of_frame);
+      end if;
+      if raster_place_next_frame_choice_2 then
+        raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3;
+      else
+        raster_place_next_frame_choice_4 := raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          transform_filtering_2_valid and transform_filtering_2_start_of_frame;
+      end if;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_2_valid;
-      raster_place_group <= raster_place_group_choice * 4 when transform_filtering_2_valid and
-        transform_filtering_2_start_of_frame else raster_place_group_choice_4;
       raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_2_valid) and
         raster_place_next_frame);
+      if transform_filtering_2_valid and transform_filtering_2_start_of_frame then
+        raster_place_group <= raster_place_group_choice * 4;
+      else
+        raster_place_group <= raster_place_group_choice_4;
+      end if;
       if transform_filtering_2_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or transform_filtering_2_start_of_frame else
-          (raster_place_column + 1) mod 64;
+        if raster_place_group_is_equal or transform_filtering_2_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 64;
+        end if;
       end if;
       -- delay
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
@@ -1277,18 +1534,33 @@ begin
       rows_ready_tag_first_column <= rows_read_tag_first_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 2048 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_0 / 2048 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_inside_2 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 2048 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_0 / 2048 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_map_column <= rows_ready_tag_map_column;
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_first_column <= rows_ready_tag_first_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 2048;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 2048;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_0 / 2048;
+        rows_reference_1 <= rows_reference_rows_ready_words_0 / 2048;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_newest_0;
+        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 2048) + (rows_search_rows_ready_newest_0 *
           2048);
@@ -1417,38 +1689,57 @@ begin
         slice0window_tag_first_column <= slice0window_centre_first_column_0;
       end if;
       -- slice0mask
-      slice0mask_inside_0_choice := (not slice1cost_tag_first_column) and ((slice0mask_column / 16) = 3) when (not
-        (((slice0mask_column / 8) mod 2) = 1)) and ((not (((slice0mask_column / 4) mod 2) = 1)) or ((slice0mask_column
-        mod 4) = 0)) else ((slice0mask_column / 32) = 1) and (not slice1cost_tag_first_column);
-      slice0mask_inside_1_choice := slice0mask_inside_0 when slice0cost_tag_valid else slice0mask_inside_1;
-      slice0mask_inside_2_choice := slice0mask_inside_1 when slice0cost_tag_valid else slice0mask_inside_2;
-      slice0mask_inside_3_choice := slice0mask_inside_2 when slice0cost_tag_valid else slice0mask_inside_3;
-      slice0mask_inside_4_choice := slice0mask_inside_3 when slice0cost_tag_valid else slice0mask_inside_4;
-      slice0mask_inside_0 <= (not slice0cost_tag_valid) and slice0mask_inside_0 when slice0mask_inside_0_choice else
-        slice0cost_tag_valid or slice0mask_inside_0;
-      slice0mask_inside_1 <= (not slice0cost_tag_valid) and slice0mask_inside_1 when slice1cost_tag_first_column else
-        slice0mask_inside_1_choice;
-      slice0mask_inside_2 <= (not slice0cost_tag_valid) and slice0mask_inside_2 when slice1cost_tag_first_column else
-        slice0mask_inside_2_choice;
-      slice0mask_inside_3 <= (not slice0cost_tag_valid) and slice0mask_inside_3 when slice1cost_tag_first_column else
-        slice0mask_inside_3_choice;
-      slice0mask_inside_4 <= (not slice0cost_tag_valid) and slice0mask_inside_4 when slice1cost_tag_first_column else
-        slice0mask_inside_4_choice;
-      slice0mask_left_out <= slice0mask_inside_4;
+      if (not (((slice0mask_column / 8) mod 2) = 1)) and ((not (((slice0mask_column / 4) mod 2) = 1)) or
+        ((slice0mask_column mod 4) = 0)) then
+        slice0mask_inside_0_choice := (not slice1cost_tag_first_column) and ((slice0mask_column / 16) = 3);
+      else
+        slice0mask_inside_0_choice := ((slice0mask_column / 32) = 1) and (not slice1cost_tag_first_column);
+      end if;
       if slice0cost_tag_valid then
-        slice0mask_column <= 0 when slice1cost_tag_first_column else (slice0mask_column + 1) mod 64;
+        slice0mask_inside_1_choice := slice0mask_inside_0;
+      else
+        slice0mask_inside_1_choice := slice0mask_inside_1;
+      end if;
+      if slice0cost_tag_valid then
+        slice0mask_inside_2_choice := slice0mask_inside_1;
+      else
+        slice0mask_inside_2_choice := slice0mask_inside_2;
+      end if;
+      if slice0cost_tag_valid then
+        slice0mask_inside_3_choice := slice0mask_inside_2;
+      else
+        slice0mask_inside_3_choice := slice0mask_inside_3;
+      end if;
+      if slice0cost_tag_valid then
+        slice0mask_inside_4_choice := slice0mask_inside_3;
+      else
+        slice0mask_inside_4_choice := slice0mask_inside_4;
+      end if;
+      slice0mask_left_out <= slice0mask_inside_4;
+      if slice0mask_inside_0_choice then
+        slice0mask_inside_0 <= (not slice0cost_tag_valid) and slice0mask_inside_0;
+      else
+        slice0mask_inside_0 <= slice0cost_tag_valid or slice0mask_inside_0;
+      end if;
+      if slice1cost_tag_first_column then
+        slice0mask_inside_1 <= (not slice0cost_tag_valid) and slice0mask_inside_1;
+        slice0mask_inside_2 <= (not slice0cost_tag_valid) and slice0mask_inside_2;
+        slice0mask_inside_3 <= (not slice0cost_tag_valid) and slice0mask_inside_3;
+        slice0mask_inside_4 <= (not slice0cost_tag_valid) and slice0mask_inside_4;
+      else
+        slice0mask_inside_1 <= slice0mask_inside_1_choice;
+        slice0mask_inside_2 <= slice0mask_inside_2_choice;
+        slice0mask_inside_3 <= slice0mask_inside_3_choice;
+        slice0mask_inside_4 <= slice0mask_inside_4_choice;
+      end if;
+      if slice0cost_tag_valid then
+        if slice1cost_tag_first_column then
+          slice0mask_column <= 0;
+        else
+          slice0mask_column <= (slice0mask_column + 1) mod 64;
+        end if;
       end if;
       -- slice0
-      slice0_held_0_0 <= 63 when (8191 < slice0window_sum_0_0) or (not slice0mask_inside_0) else (slice0window_sum_0_0
-        / 128) mod 256;
-      slice0_held_0_1 <= 63 when (8191 < slice0window_sum_0_1) or (not slice0mask_inside_1) else (slice0window_sum_0_1
-        / 128) mod 256;
-      slice0_held_0_2 <= 63 when (8191 < slice0window_sum_0_2) or (not slice0mask_inside_2) else (slice0window_sum_0_2
-        / 128) mod 256;
-      slice0_held_0_3 <= 63 when (8191 < slice0window_sum_0_3) or (not slice0mask_inside_3) else (slice0window_sum_0_3
-        / 128) mod 256;
-      slice0_held_0_4 <= 63 when (8191 < slice0window_sum_0_4) or (not slice0mask_inside_4) else (slice0window_sum_0_4
-        / 128) mod 256;
       slice0_held_1_0 <= slice0_held_0_0;
       slice0_held_1_1 <= slice0_held_0_1;
       slice0_held_1_2 <= slice0_held_0_2;
@@ -1476,6 +1767,31 @@ begin
       slice0_tag_2_first_column <= slice0_tag_1_first_column;
       slice0_tag_2_start_of_frame <= slice0_tag_1_start_of_frame;
       slice0_tag_2_end_of_line <= slice0_tag_1_end_of_line;
+      if (8191 < slice0window_sum_0_0) or (not slice0mask_inside_0) then
+        slice0_held_0_0 <= 63;
+      else
+        slice0_held_0_0 <= (slice0window_sum_0_0 / 128) mod 256;
+      end if;
+      if (8191 < slice0window_sum_0_1) or (not slice0mask_inside_1) then
+        slice0_held_0_1 <= 63;
+      else
+        slice0_held_0_1 <= (slice0window_sum_0_1 / 128) mod 256;
+      end if;
+      if (8191 < slice0window_sum_0_2) or (not slice0mask_inside_2) then
+        slice0_held_0_2 <= 63;
+      else
+        slice0_held_0_2 <= (slice0window_sum_0_2 / 128) mod 256;
+      end if;
+      if (8191 < slice0window_sum_0_3) or (not slice0mask_inside_3) then
+        slice0_held_0_3 <= 63;
+      else
+        slice0_held_0_3 <= (slice0window_sum_0_3 / 128) mod 256;
+      end if;
+      if (8191 < slice0window_sum_0_4) or (not slice0mask_inside_4) then
+        slice0_held_0_4 <= 63;
+      else
+        slice0_held_0_4 <= (slice0window_sum_0_4 / 128) mod 256;
+      end if;
       if slice0_tag_0_valid then
         slice0_tag_0_first_column <= slice1window_centre_first_column_0;
       end if;
@@ -1569,38 +1885,79 @@ begin
       slice1window_tag_first_column <= slice2cost_tag_first_column;
       -- slice1mask
       slice1mask_inside_0_all := (not slice0window_tag_valid) and slice1mask_inside_0;
-      slice1mask_inside_0_choice := slice1mask_inside_0_all when slice0window_tag_first_column else
-        slice0window_tag_valid or slice1mask_inside_0;
-      slice1mask_inside_1_choice := slice1mask_inside_0 when slice0window_tag_valid else slice1mask_inside_1;
-      slice1mask_inside_2_choice := slice1mask_inside_1 when slice0window_tag_valid else slice1mask_inside_2;
-      slice1mask_inside_3_choice := slice1mask_inside_2 when slice0window_tag_valid else slice1mask_inside_3;
-      slice1mask_inside_4_choice := slice1mask_inside_3 when slice0window_tag_valid else slice1mask_inside_4;
-      slice1mask_inside_0 <= slice1mask_inside_0_choice when slice0mask_left_out else slice1mask_inside_0_all;
-      slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1 when slice0window_tag_first_column
-        else slice1mask_inside_1_choice;
-      slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2 when slice0window_tag_first_column
-        else slice1mask_inside_2_choice;
-      slice1mask_inside_3 <= (not slice0window_tag_valid) and slice1mask_inside_3 when slice0window_tag_first_column
-        else slice1mask_inside_3_choice;
-      slice1mask_inside_4 <= (not slice0window_tag_valid) and slice1mask_inside_4 when slice0window_tag_first_column
-        else slice1mask_inside_4_choice;
+      if slice0window_tag_first_column then
+        slice1mask_inside_0_choice := slice1mask_inside_0_all;
+      else
+        slice1mask_inside_0_choice := slice0window_tag_valid or slice1mask_inside_0;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_1_choice := slice1mask_inside_0;
+      else
+        slice1mask_inside_1_choice := slice1mask_inside_1;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_2_choice := slice1mask_inside_1;
+      else
+        slice1mask_inside_2_choice := slice1mask_inside_2;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_3_choice := slice1mask_inside_2;
+      else
+        slice1mask_inside_3_choice := slice1mask_inside_3;
+      end if;
+      if slice0window_tag_valid then
+        slice1mask_inside_4_choice := slice1mask_inside_3;
+      else
+        slice1mask_inside_4_choice := slice1mask_inside_4;
+      end if;
       slice1mask_left_out <= slice1mask_inside_4;
+      if slice0mask_left_out then
+        slice1mask_inside_0 <= slice1mask_inside_0_choice;
+      else
+        slice1mask_inside_0 <= slice1mask_inside_0_all;
+      end if;
+      if slice0window_tag_first_column then
+        slice1mask_inside_1 <= (not slice0window_tag_valid) and slice1mask_inside_1;
+        slice1mask_inside_2 <= (not slice0window_tag_valid) and slice1mask_inside_2;
+        slice1mask_inside_3 <= (not slice0window_tag_valid) and slice1mask_inside_3;
+        slice1mask_inside_4 <= (not slice0window_tag_valid) and slice1mask_inside_4;
+      else
+        slice1mask_inside_1 <= slice1mask_inside_1_choice;
+        slice1mask_inside_2 <= slice1mask_inside_2_choice;
+        slice1mask_inside_3 <= slice1mask_inside_3_choice;
+        slice1mask_inside_4 <= slice1mask_inside_4_choice;
+      end if;
       -- slice1
-      slice1_held_0_0 <= 63 when (8191 < slice1window_sum_0_0) or (not slice1mask_inside_0) else (slice1window_sum_0_0
-        / 128) mod 256;
-      slice1_held_0_1 <= 63 when (8191 < slice1window_sum_0_1) or (not slice1mask_inside_1) else (slice1window_sum_0_1
-        / 128) mod 256;
-      slice1_held_0_2 <= 63 when (8191 < slice1window_sum_0_2) or (not slice1mask_inside_2) else (slice1window_sum_0_2
-        / 128) mod 256;
-      slice1_held_0_3 <= 63 when (8191 < slice1window_sum_0_3) or (not slice1mask_inside_3) else (slice1window_sum_0_3
-        / 128) mod 256;
-      slice1_held_0_4 <= 63 when (8191 < slice1window_sum_0_4) or (not slice1mask_inside_4) else (slice1window_sum_0_4
-        / 128) mod 256;
       slice1_held_1_0 <= slice1_held_0_0;
       slice1_held_1_1 <= slice1_held_0_1;
       slice1_held_1_2 <= slice1_held_0_2;
       slice1_held_1_3 <= slice1_held_0_3;
       slice1_held_1_4 <= slice1_held_0_4;
+      if (8191 < slice1window_sum_0_0) or (not slice1mask_inside_0) then
+        slice1_held_0_0 <= 63;
+      else
+        slice1_held_0_0 <= (slice1window_sum_0_0 / 128) mod 256;
+      end if;
+      if (8191 < slice1window_sum_0_1) or (not slice1mask_inside_1) then
+        slice1_held_0_1 <= 63;
+      else
+        slice1_held_0_1 <= (slice1window_sum_0_1 / 128) mod 256;
+      end if;
+      if (8191 < slice1window_sum_0_2) or (not slice1mask_inside_2) then
+        slice1_held_0_2 <= 63;
+      else
+        slice1_held_0_2 <= (slice1window_sum_0_2 / 128) mod 256;
+      end if;
+      if (8191 < slice1window_sum_0_3) or (not slice1mask_inside_3) then
+        slice1_held_0_3 <= 63;
+      else
+        slice1_held_0_3 <= (slice1window_sum_0_3 / 128) mod 256;
+      end if;
+      if (8191 < slice1window_sum_0_4) or (not slice1mask_inside_4) then
+        slice1_held_0_4 <= 63;
+      else
+        slice1_held_0_4 <= (slice1window_sum_0_4 / 128) mod 256;
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice1shift_search_out_0;
@@ -1642,24 +1999,47 @@ begin
       slice2window_sum_0_1 <= (slice2cost_column_0_1 + slice2window_partial_0_1_1) mod 65536;
       -- slice2mask
       slice2mask_inside_0_all := (not slice0_tag_0_valid) and slice2mask_inside_0;
-      slice2mask_inside_0_choice := slice2mask_inside_0_all when slice0_tag_0_first_column else slice0_tag_0_valid or
-        slice2mask_inside_0;
-      slice2mask_inside_1_choice := slice2mask_inside_0 when slice0_tag_0_valid else slice2mask_inside_1;
-      slice2mask_inside_0 <= slice2mask_inside_0_choice when slice1mask_left_out else slice2mask_inside_0_all;
-      slice2mask_inside_1 <= (not slice0_tag_0_valid) and slice2mask_inside_1 when slice0_tag_0_first_column else
-        slice2mask_inside_1_choice;
+      if slice0_tag_0_first_column then
+        slice2mask_inside_0_choice := slice2mask_inside_0_all;
+      else
+        slice2mask_inside_0_choice := slice0_tag_0_valid or slice2mask_inside_0;
+      end if;
+      if slice0_tag_0_valid then
+        slice2mask_inside_1_choice := slice2mask_inside_0;
+      else
+        slice2mask_inside_1_choice := slice2mask_inside_1;
+      end if;
+      if slice1mask_left_out then
+        slice2mask_inside_0 <= slice2mask_inside_0_choice;
+      else
+        slice2mask_inside_0 <= slice2mask_inside_0_all;
+      end if;
+      if slice0_tag_0_first_column then
+        slice2mask_inside_1 <= (not slice0_tag_0_valid) and slice2mask_inside_1;
+      else
+        slice2mask_inside_1 <= slice2mask_inside_1_choice;
+      end if;
       -- slice2
-      slice2_held_0_0 <= 63 when (8191 < slice2window_sum_0_0) or (not slice2mask_inside_0) else (slice2window_sum_0_0
-        / 128) mod 256;
-      slice2_held_0_1 <= 63 when (8191 < slice2window_sum_0_1) or (not slice2mask_inside_1) else (slice2window_sum_0_1
-        / 128) mod 256;
+      if (8191 < slice2window_sum_0_0) or (not slice2mask_inside_0) then
+        slice2_held_0_0 <= 63;
+      else
+        slice2_held_0_0 <= (slice2window_sum_0_0 / 128) mod 256;
+      end if;
+      if (8191 < slice2window_sum_0_1) or (not slice2mask_inside_1) then
+        slice2_held_0_1 <= 63;
+      else
+        slice2_held_0_1 <= (slice2window_sum_0_1 / 128) mod 256;
+      end if;
       -- entry
       entry_order_falls_any := entry_order_inside or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
       entry_order_falls_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_complete_all := slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_complete_any := (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
-      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
-        else entry_order_held_output;
+      if entry_order_falls_all then
+        entry_order_turned_output_column_choice := entry_order_output and entry_order_complete;
+      else
+        entry_order_turned_output_column_choice := entry_order_held_output;
+      end if;
       entry_next_cost_0 <= slice0_held_2_0;
       entry_next_cost_1 <= slice0_held_2_1;
       entry_next_cost_2 <= slice0_held_2_2;
@@ -1676,9 +2056,6 @@ begin
       entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_first_column <= slice0_tag_2_first_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
-      entry_order_complete <= entry_order_complete or entry_order_complete_all when slice0_tag_2_end_of_line else
-        entry_order_complete and entry_order_complete_any;
       entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
       entry_order_turned_first_column <= entry_order_falls_all;
       entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
@@ -1705,15 +2082,41 @@ begin
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if entry_order_complete_all then
-        entry_next_column <= 0 when slice0_tag_2_first_column else (entry_next_column + 1) mod 64;
-        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_next_top;
+      if entry_order_falls then
+        entry_order_falls <= entry_order_falls_any;
+      else
+        entry_order_falls <= entry_order_falls_all;
       end if;
-      entry_order_address_choice := 63 when entry_order_falls else 1;
-      entry_order_address_choice_2 := 0 when entry_order_falls else 37;
+      if slice0_tag_2_end_of_line then
+        entry_order_complete <= entry_order_complete or entry_order_complete_all;
+      else
+        entry_order_complete <= entry_order_complete and entry_order_complete_any;
+      end if;
+      if entry_order_complete_all then
+        if slice0_tag_2_first_column then
+          entry_next_column <= 0;
+          entry_next_top <= slice0_tag_2_start_of_frame;
+        else
+          entry_next_column <= (entry_next_column + 1) mod 64;
+          entry_next_top <= entry_next_top;
+        end if;
+      end if;
+      if entry_order_falls then
+        entry_order_address_choice := 63;
+      else
+        entry_order_address_choice := 1;
+      end if;
+      if entry_order_falls then
+        entry_order_address_choice_2 := 0;
+      else
+        entry_order_address_choice_2 := 37;
+      end if;
       if not entry_order_complete_any then
-        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 64 when entry_order_falls_any
-          else entry_order_address_choice_2;
+        if entry_order_falls_any then
+          entry_order_address <= (entry_order_address_choice + entry_order_address) mod 64;
+        else
+          entry_order_address <= entry_order_address_choice_2;
+        end if;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
@@ -1724,18 +2127,36 @@ begin
         entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
       -- forward
-      forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
-        forward_left_cost_0;
-      forward_left_pair_1_choice := forward_left_cost_3 when (forward_left_cost_3 - forward_left_cost_1) < 0 else
-        forward_left_cost_1;
-      forward_left_pair_2_choice := forward_left_cost_6 when (forward_left_cost_6 - forward_left_cost_4) < 0 else
-        forward_left_cost_4;
-      forward_left_pair_3_choice := forward_left_cost_7 when (forward_left_cost_7 - forward_left_cost_5) < 0 else
-        forward_left_cost_5;
-      forward_left_pair_4_choice := forward_left_cost_10 when (forward_left_cost_10 - forward_left_cost_8) < 0 else
-        forward_left_cost_8;
-      forward_left_pair_5_choice := forward_left_cost_11 when (forward_left_cost_11 - forward_left_cost_9) < 0 else
-        forward_left_cost_9;
+      if (forward_left_cost_2 - forward_left_cost_0) < 0 then
+        forward_left_pair_0_choice := forward_left_cost_2;
+      else
+        forward_left_pair_0_choice := forward_left_cost_0;
+      end if;
+      if (forward_left_cost_3 - forward_left_cost_1) < 0 then
+        forward_left_pair_1_choice := forward_left_cost_3;
+      else
+        forward_left_pair_1_choice := forward_left_cost_1;
+      end if;
+      if (forward_left_cost_6 - forward_left_cost_4) < 0 then
+        forward_left_pair_2_choice := forward_left_cost_6;
+      else
+        forward_left_pair_2_choice := forward_left_cost_4;
+      end if;
+      if (forward_left_cost_7 - forward_left_cost_5) < 0 then
+        forward_left_pair_3_choice := forward_left_cost_7;
+      else
+        forward_left_pair_3_choice := forward_left_cost_5;
+      end if;
+      if (forward_left_cost_10 - forward_left_cost_8) < 0 then
+        forward_left_pair_4_choice := forward_left_cost_10;
+      else
+        forward_left_pair_4_choice := forward_left_cost_8;
+      end if;
+      if (forward_left_cost_11 - forward_left_cost_9) < 0 then
+        forward_left_pair_5_choice := forward_left_cost_11;
+      else
+        forward_left_pair_5_choice := forward_left_cost_9;
+      end if;
       forward_left_start_cost_0_is_less := 255 < forward_left_tree_next_next_smallest_0;
       forward_left_start_cost_0_is_less_2 := 255 < ((forward_left_tree_next_next_smallest_0 mod 256) +
         forward_left_room);
@@ -1754,121 +2175,273 @@ begin
       else
         forward_left_room_choice := forward_left_room;
       end if;
-      forward_left_room_choice_2 := 0 when forward_left_start_cost_0_is_less else forward_left_room_choice;
-      forward_left_cost_0_choice := forward_left_arrived_0 when (forward_left_arrived_0 - forward_left_cost_0) < 0 else
-        forward_left_cost_0;
-      forward_left_cost_0_choice_2 := 256 when (255 < forward_left_cost_0_choice) or forward_left_first_2 else
-        forward_left_cost_0_choice;
-      forward_left_cost_1_choice := forward_left_arrived_1 when (forward_left_arrived_1 - forward_left_cost_1) < 0 else
-        forward_left_cost_1;
-      forward_left_cost_1_choice_2 := 256 when (255 < forward_left_cost_1_choice) or forward_left_first_2 else
-        forward_left_cost_1_choice;
-      forward_left_cost_2_choice := forward_left_arrived_2 when (forward_left_arrived_2 - forward_left_cost_2) < 0 else
-        forward_left_cost_2;
-      forward_left_cost_2_choice_2 := 256 when (255 < forward_left_cost_2_choice) or forward_left_first_2 else
-        forward_left_cost_2_choice;
-      forward_left_cost_3_choice := forward_left_arrived_3 when (forward_left_arrived_3 - forward_left_cost_3) < 0 else
-        forward_left_cost_3;
-      forward_left_cost_3_choice_2 := 256 when (255 < forward_left_cost_3_choice) or forward_left_first_2 else
-        forward_left_cost_3_choice;
-      forward_left_cost_4_choice := forward_left_arrived_4 when (forward_left_arrived_4 - forward_left_cost_4) < 0 else
-        forward_left_cost_4;
-      forward_left_cost_4_choice_2 := 256 when (255 < forward_left_cost_4_choice) or forward_left_first_2 else
-        forward_left_cost_4_choice;
-      forward_left_cost_5_choice := forward_left_arrived_5 when (forward_left_arrived_5 - forward_left_cost_5) < 0 else
-        forward_left_cost_5;
-      forward_left_cost_5_choice_2 := 256 when (255 < forward_left_cost_5_choice) or forward_left_first_2 else
-        forward_left_cost_5_choice;
-      forward_left_cost_6_choice := forward_left_arrived_6 when (forward_left_arrived_6 - forward_left_cost_6) < 0 else
-        forward_left_cost_6;
-      forward_left_cost_6_choice_2 := 256 when (255 < forward_left_cost_6_choice) or forward_left_first_2 else
-        forward_left_cost_6_choice;
-      forward_left_cost_7_choice := forward_left_arrived_7 when (forward_left_arrived_7 - forward_left_cost_7) < 0 else
-        forward_left_cost_7;
-      forward_left_cost_7_choice_2 := 256 when (255 < forward_left_cost_7_choice) or forward_left_first_2 else
-        forward_left_cost_7_choice;
-      forward_left_cost_8_choice := forward_left_arrived_8 when (forward_left_arrived_8 - forward_left_cost_8) < 0 else
-        forward_left_cost_8;
-      forward_left_cost_8_choice_2 := 256 when (255 < forward_left_cost_8_choice) or forward_left_first_2 else
-        forward_left_cost_8_choice;
-      forward_left_cost_9_choice := forward_left_arrived_9 when (forward_left_arrived_9 - forward_left_cost_9) < 0 else
-        forward_left_cost_9;
-      forward_left_cost_9_choice_2 := 256 when (255 < forward_left_cost_9_choice) or forward_left_first_2 else
-        forward_left_cost_9_choice;
-      forward_left_cost_10_choice := forward_left_arrived_10 when (forward_left_arrived_10 - forward_left_cost_10) < 0
-        else forward_left_cost_10;
-      forward_left_cost_10_choice_2 := 256 when (255 < forward_left_cost_10_choice) or forward_left_first_2 else
-        forward_left_cost_10_choice;
-      forward_left_cost_11_choice := forward_left_arrived_11 when (forward_left_arrived_11 - forward_left_cost_11) < 0
-        else forward_left_cost_11;
-      forward_left_cost_11_choice_2 := 256 when (255 < forward_left_cost_11_choice) or forward_left_first_2 else
-        forward_left_cost_11_choice;
-      forward_left_arrived_0_choice := 256 when forward_left_first_2 else forward_left_cost_1;
-      forward_left_arrived_1_choice := 256 when forward_left_first_2 else forward_left_pair_0_choice;
-      forward_left_arrived_2_choice := 256 when forward_left_first_2 else forward_left_pair_1_choice;
-      forward_left_arrived_3_choice := forward_left_cost_4 when (forward_left_cost_4 - forward_left_cost_2) < 0 else
-        forward_left_cost_2;
-      forward_left_arrived_3_choice_2 := 256 when forward_left_first_2 else forward_left_arrived_3_choice;
-      forward_left_arrived_4_choice := forward_left_cost_5 when (forward_left_cost_5 - forward_left_cost_3) < 0 else
-        forward_left_cost_3;
-      forward_left_arrived_4_choice_2 := 256 when forward_left_first_2 else forward_left_arrived_4_choice;
-      forward_left_arrived_5_choice := 256 when forward_left_first_2 else forward_left_pair_2_choice;
-      forward_left_arrived_6_choice := 256 when forward_left_first_2 else forward_left_pair_3_choice;
-      forward_left_arrived_7_choice := forward_left_cost_8 when (forward_left_cost_8 - forward_left_cost_6) < 0 else
-        forward_left_cost_6;
-      forward_left_arrived_7_choice_2 := 256 when forward_left_first_2 else forward_left_arrived_7_choice;
-      forward_left_arrived_8_choice := forward_left_cost_9 when (forward_left_cost_9 - forward_left_cost_7) < 0 else
-        forward_left_cost_7;
-      forward_left_arrived_8_choice_2 := 256 when forward_left_first_2 else forward_left_arrived_8_choice;
-      forward_left_arrived_9_choice := 256 when forward_left_first_2 else forward_left_pair_4_choice;
-      forward_left_arrived_10_choice := 256 when forward_left_first_2 else forward_left_pair_5_choice;
-      forward_left_arrived_11_choice := 256 when forward_left_first_2 else forward_left_cost_10;
-      forward_above_total_0_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(4
-        downto 0));
-      forward_above_total_1_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(9
-        downto 5));
-      forward_above_total_2_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(14
-        downto 10));
-      forward_above_total_3_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(19
-        downto 15));
-      forward_above_total_4_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(24
-        downto 20));
-      forward_above_total_5_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(29
-        downto 25));
-      forward_above_total_6_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(4
-        downto 0));
-      forward_above_total_7_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(9
-        downto 5));
-      forward_above_total_8_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(14
-        downto 10));
-      forward_above_total_9_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(19
-        downto 15));
-      forward_above_total_10_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(24
-        downto 20));
-      forward_above_total_11_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(29
-        downto 25));
+      if forward_left_start_cost_0_is_less then
+        forward_left_room_choice_2 := 0;
+      else
+        forward_left_room_choice_2 := forward_left_room_choice;
+      end if;
+      if (forward_left_arrived_0 - forward_left_cost_0) < 0 then
+        forward_left_cost_0_choice := forward_left_arrived_0;
+      else
+        forward_left_cost_0_choice := forward_left_cost_0;
+      end if;
+      if (255 < forward_left_cost_0_choice) or forward_left_first_2 then
+        forward_left_cost_0_choice_2 := 256;
+      else
+        forward_left_cost_0_choice_2 := forward_left_cost_0_choice;
+      end if;
+      if (forward_left_arrived_1 - forward_left_cost_1) < 0 then
+        forward_left_cost_1_choice := forward_left_arrived_1;
+      else
+        forward_left_cost_1_choice := forward_left_cost_1;
+      end if;
+      if (255 < forward_left_cost_1_choice) or forward_left_first_2 then
+        forward_left_cost_1_choice_2 := 256;
+      else
+        forward_left_cost_1_choice_2 := forward_left_cost_1_choice;
+      end if;
+      if (forward_left_arrived_2 - forward_left_cost_2) < 0 then
+        forward_left_cost_2_choice := forward_left_arrived_2;
+      else
+        forward_left_cost_2_choice := forward_left_cost_2;
+      end if;
+      if (255 < forward_left_cost_2_choice) or forward_left_first_2 then
+        forward_left_cost_2_choice_2 := 256;
+      else
+        forward_left_cost_2_choice_2 := forward_left_cost_2_choice;
+      end if;
+      if (forward_left_arrived_3 - forward_left_cost_3) < 0 then
+        forward_left_cost_3_choice := forward_left_arrived_3;
+      else
+        forward_left_cost_3_choice := forward_left_cost_3;
+      end if;
+      if (255 < forward_left_cost_3_choice) or forward_left_first_2 then
+        forward_left_cost_3_choice_2 := 256;
+      else
+        forward_left_cost_3_choice_2 := forward_left_cost_3_choice;
+      end if;
+      if (forward_left_arrived_4 - forward_left_cost_4) < 0 then
+        forward_left_cost_4_choice := forward_left_arrived_4;
+      else
+        forward_left_cost_4_choice := forward_left_cost_4;
+      end if;
+      if (255 < forward_left_cost_4_choice) or forward_left_first_2 then
+        forward_left_cost_4_choice_2 := 256;
+      else
+        forward_left_cost_4_choice_2 := forward_left_cost_4_choice;
+      end if;
+      if (forward_left_arrived_5 - forward_left_cost_5) < 0 then
+        forward_left_cost_5_choice := forward_left_arrived_5;
+      else
+        forward_left_cost_5_choice := forward_left_cost_5;
+      end if;
+      if (255 < forward_left_cost_5_choice) or forward_left_first_2 then
+        forward_left_cost_5_choice_2 := 256;
+      else
+        forward_left_cost_5_choice_2 := forward_left_cost_5_choice;
+      end if;
+      if (forward_left_arrived_6 - forward_left_cost_6) < 0 then
+        forward_left_cost_6_choice := forward_left_arrived_6;
+      else
+        forward_left_cost_6_choice := forward_left_cost_6;
+      end if;
+      if (255 < forward_left_cost_6_choice) or forward_left_first_2 then
+        forward_left_cost_6_choice_2 := 256;
+      else
+        forward_left_cost_6_choice_2 := forward_left_cost_6_choice;
+      end if;
+      if (forward_left_arrived_7 - forward_left_cost_7) < 0 then
+        forward_left_cost_7_choice := forward_left_arrived_7;
+      else
+        forward_left_cost_7_choice := forward_left_cost_7;
+      end if;
+      if (255 < forward_left_cost_7_choice) or forward_left_first_2 then
+        forward_left_cost_7_choice_2 := 256;
+      else
+        forward_left_cost_7_choice_2 := forward_left_cost_7_choice;
+      end if;
+      if (forward_left_arrived_8 - forward_left_cost_8) < 0 then
+        forward_left_cost_8_choice := forward_left_arrived_8;
+      else
+        forward_left_cost_8_choice := forward_left_cost_8;
+      end if;
+      if (255 < forward_left_cost_8_choice) or forward_left_first_2 then
+        forward_left_cost_8_choice_2 := 256;
+      else
+        forward_left_cost_8_choice_2 := forward_left_cost_8_choice;
+      end if;
+      if (forward_left_arrived_9 - forward_left_cost_9) < 0 then
+        forward_left_cost_9_choice := forward_left_arrived_9;
+      else
+        forward_left_cost_9_choice := forward_left_cost_9;
+      end if;
+      if (255 < forward_left_cost_9_choice) or forward_left_first_2 then
+        forward_left_cost_9_choice_2 := 256;
+      else
+        forward_left_cost_9_choice_2 := forward_left_cost_9_choice;
+      end if;
+      if (forward_left_arrived_10 - forward_left_cost_10) < 0 then
+        forward_left_cost_10_choice := forward_left_arrived_10;
+      else
+        forward_left_cost_10_choice := forward_left_cost_10;
+      end if;
+      if (255 < forward_left_cost_10_choice) or forward_left_first_2 then
+        forward_left_cost_10_choice_2 := 256;
+      else
+        forward_left_cost_10_choice_2 := forward_left_cost_10_choice;
+      end if;
+      if (forward_left_arrived_11 - forward_left_cost_11) < 0 then
+        forward_left_cost_11_choice := forward_left_arrived_11;
+      else
+        forward_left_cost_11_choice := forward_left_cost_11;
+      end if;
+      if (255 < forward_left_cost_11_choice) or forward_left_first_2 then
+        forward_left_cost_11_choice_2 := 256;
+      else
+        forward_left_cost_11_choice_2 := forward_left_cost_11_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_0_choice := 256;
+      else
+        forward_left_arrived_0_choice := forward_left_cost_1;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_1_choice := 256;
+      else
+        forward_left_arrived_1_choice := forward_left_pair_0_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_2_choice := 256;
+      else
+        forward_left_arrived_2_choice := forward_left_pair_1_choice;
+      end if;
+      if (forward_left_cost_4 - forward_left_cost_2) < 0 then
+        forward_left_arrived_3_choice := forward_left_cost_4;
+      else
+        forward_left_arrived_3_choice := forward_left_cost_2;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_3_choice_2 := 256;
+      else
+        forward_left_arrived_3_choice_2 := forward_left_arrived_3_choice;
+      end if;
+      if (forward_left_cost_5 - forward_left_cost_3) < 0 then
+        forward_left_arrived_4_choice := forward_left_cost_5;
+      else
+        forward_left_arrived_4_choice := forward_left_cost_3;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_4_choice_2 := 256;
+      else
+        forward_left_arrived_4_choice_2 := forward_left_arrived_4_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_5_choice := 256;
+      else
+        forward_left_arrived_5_choice := forward_left_pair_2_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_6_choice := 256;
+      else
+        forward_left_arrived_6_choice := forward_left_pair_3_choice;
+      end if;
+      if (forward_left_cost_8 - forward_left_cost_6) < 0 then
+        forward_left_arrived_7_choice := forward_left_cost_8;
+      else
+        forward_left_arrived_7_choice := forward_left_cost_6;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_7_choice_2 := 256;
+      else
+        forward_left_arrived_7_choice_2 := forward_left_arrived_7_choice;
+      end if;
+      if (forward_left_cost_9 - forward_left_cost_7) < 0 then
+        forward_left_arrived_8_choice := forward_left_cost_9;
+      else
+        forward_left_arrived_8_choice := forward_left_cost_7;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_8_choice_2 := 256;
+      else
+        forward_left_arrived_8_choice_2 := forward_left_arrived_8_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_9_choice := 256;
+      else
+        forward_left_arrived_9_choice := forward_left_pair_4_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_10_choice := 256;
+      else
+        forward_left_arrived_10_choice := forward_left_pair_5_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_11_choice := 256;
+      else
+        forward_left_arrived_11_choice := forward_left_cost_10;
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_0_choice := 22;
+      else
+        forward_above_total_0_choice := to_integer(forward_above_ready_words_0(4 downto 0));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_1_choice := 22;
+      else
+        forward_above_total_1_choice := to_integer(forward_above_ready_words_0(9 downto 5));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_2_choice := 22;
+      else
+        forward_above_total_2_choice := to_integer(forward_above_ready_words_0(14 downto 10));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_3_choice := 22;
+      else
+        forward_above_total_3_choice := to_integer(forward_above_ready_words_0(19 downto 15));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_4_choice := 22;
+      else
+        forward_above_total_4_choice := to_integer(forward_above_ready_words_0(24 downto 20));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_5_choice := 22;
+      else
+        forward_above_total_5_choice := to_integer(forward_above_ready_words_0(29 downto 25));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_6_choice := 22;
+      else
+        forward_above_total_6_choice := to_integer(forward_above_ready_words_1(4 downto 0));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_7_choice := 22;
+      else
+        forward_above_total_7_choice := to_integer(forward_above_ready_words_1(9 downto 5));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_8_choice := 22;
+      else
+        forward_above_total_8_choice := to_integer(forward_above_ready_words_1(14 downto 10));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_9_choice := 22;
+      else
+        forward_above_total_9_choice := to_integer(forward_above_ready_words_1(19 downto 15));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_10_choice := 22;
+      else
+        forward_above_total_10_choice := to_integer(forward_above_ready_words_1(24 downto 20));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_11_choice := 22;
+      else
+        forward_above_total_11_choice := to_integer(forward_above_ready_words_1(29 downto 25));
+      end if;
       if entry_tag_valid then
-        forward_smallest_smallest_0 <= entry_cost_1 when (entry_cost_1 - entry_cost_0) < 0 else entry_cost_0;
-        forward_smallest_smallest_1 <= entry_cost_3 when (entry_cost_3 - entry_cost_2) < 0 else entry_cost_2;
-        forward_smallest_smallest_2 <= entry_cost_5 when (entry_cost_5 - entry_cost_4) < 0 else entry_cost_4;
-        forward_smallest_smallest_3 <= entry_cost_7 when (entry_cost_7 - entry_cost_6) < 0 else entry_cost_6;
-        forward_smallest_smallest_4 <= entry_cost_9 when (entry_cost_9 - entry_cost_8) < 0 else entry_cost_8;
-        forward_smallest_smallest_5 <= entry_cost_11 when (entry_cost_11 - entry_cost_10) < 0 else entry_cost_10;
-        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when (forward_smallest_smallest_1 -
-          forward_smallest_smallest_0) < 0 else forward_smallest_smallest_0;
-        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when (forward_smallest_smallest_3 -
-          forward_smallest_smallest_2) < 0 else forward_smallest_smallest_2;
-        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when (forward_smallest_smallest_5 -
-          forward_smallest_smallest_4) < 0 else forward_smallest_smallest_4;
-        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when
-          (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 else
-          forward_smallest_next_smallest_0;
         forward_smallest_next_next_smallest_1 <= forward_smallest_next_smallest_2;
-        forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1 when
-          (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 else
-          forward_smallest_next_next_smallest_0;
-        forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 4 else
-          (forward_cost_delay_ring_read_address + 1) mod 8;
         forward_cost_delay_ring_write_address <= forward_cost_delay_ring_read_address;
         forward_left_pair_0 <= forward_left_pair_0_choice;
         forward_left_pair_1 <= forward_left_pair_1_choice;
@@ -1876,27 +2449,7 @@ begin
         forward_left_pair_3 <= forward_left_pair_3_choice;
         forward_left_pair_4 <= forward_left_pair_4_choice;
         forward_left_pair_5 <= forward_left_pair_5_choice;
-        forward_left_tree_smallest_0 <= forward_left_pair_1 when (forward_left_pair_1 - forward_left_pair_0) < 0 else
-          forward_left_pair_0;
-        forward_left_tree_smallest_1 <= forward_left_pair_3 when (forward_left_pair_3 - forward_left_pair_2) < 0 else
-          forward_left_pair_2;
-        forward_left_tree_smallest_2 <= forward_left_pair_5 when (forward_left_pair_5 - forward_left_pair_4) < 0 else
-          forward_left_pair_4;
-        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when (forward_left_tree_smallest_1 -
-          forward_left_tree_smallest_0) < 0 else forward_left_tree_smallest_0;
         forward_left_tree_next_smallest_1 <= forward_left_tree_smallest_2;
-        forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1 when
-          (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 else
-          forward_left_tree_next_smallest_0;
-        forward_left_start_cost_0 <= 22 when sums_turn_waiting_first_3 else forward_left_start_cost_0_choice_2;
-        forward_left_start_cost_1 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_0;
-        forward_left_start_cost_2 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_1;
-        forward_left_start_cost_3 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_2;
-        forward_left_start_cost_4 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_3;
-        forward_left_start_cost_5 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_4;
-        forward_left_start_cost_6 <= 0 when sums_turn_waiting_first_3 else forward_left_start_cost_5;
-        forward_left_room <= 0 when sums_turn_waiting_first_3 else (forward_left_room_choice_2 +
-          forward_left_start_cost_6) mod 32;
         forward_left_smallest <= forward_smallest_next_next_next_smallest_0;
         forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 + 507) mod 512;
         forward_left_first_0 <= sums_turn_waiting_first_3;
@@ -1979,33 +2532,7 @@ begin
         forward_above_total_9 <= (forward_above_total_9_choice + forward_above_ready_cost_9) mod 256;
         forward_above_total_10 <= (forward_above_total_10_choice + forward_above_ready_cost_10) mod 256;
         forward_above_total_11 <= (forward_above_total_11_choice + forward_above_ready_cost_11) mod 256;
-        forward_above_tree_smallest_0 <= forward_above_total_1 when (forward_above_total_1 - forward_above_total_0) < 0
-          else forward_above_total_0;
-        forward_above_tree_smallest_1 <= forward_above_total_3 when (forward_above_total_3 - forward_above_total_2) < 0
-          else forward_above_total_2;
-        forward_above_tree_smallest_2 <= forward_above_total_5 when (forward_above_total_5 - forward_above_total_4) < 0
-          else forward_above_total_4;
-        forward_above_tree_smallest_3 <= forward_above_total_7 when (forward_above_total_7 - forward_above_total_6) < 0
-          else forward_above_total_6;
-        forward_above_tree_smallest_4 <= forward_above_total_9 when (forward_above_total_9 - forward_above_total_8) < 0
-          else forward_above_total_8;
-        forward_above_tree_smallest_5 <= forward_above_total_11 when (forward_above_total_11 - forward_above_total_10)
-          < 0 else forward_above_total_10;
-        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when (forward_above_tree_smallest_1 -
-          forward_above_tree_smallest_0) < 0 else forward_above_tree_smallest_0;
-        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when (forward_above_tree_smallest_3 -
-          forward_above_tree_smallest_2) < 0 else forward_above_tree_smallest_2;
-        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when (forward_above_tree_smallest_5 -
-          forward_above_tree_smallest_4) < 0 else forward_above_tree_smallest_4;
-        forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1 when
-          (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 else
-          forward_above_tree_next_smallest_0;
         forward_above_tree_next_next_smallest_1 <= forward_above_tree_next_smallest_2;
-        forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1 when
-          (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 else
-          forward_above_tree_next_next_smallest_0;
-        forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
-          (forward_above_delay_ring_read_address + 1) mod 8;
         forward_above_delay_ring_write_address <= forward_above_delay_ring_read_address;
         forward_above_smallest_copy_0 <= forward_above_tree_next_next_next_smallest_0;
         forward_above_cost_0 <= (to_integer(forward_above_delay_held_0) - forward_above_smallest_copy_0) mod 128;
@@ -2030,26 +2557,6 @@ begin
         forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(28 downto 21)) - forward_above_smallest_copy_0)
           mod 128;
         forward_above_beside_0 <= forward_above_cost_1;
-        forward_above_beside_1 <= forward_above_cost_2 when (forward_above_cost_2 - forward_above_cost_0) < 0 else
-          forward_above_cost_0;
-        forward_above_beside_2 <= forward_above_cost_3 when (forward_above_cost_3 - forward_above_cost_1) < 0 else
-          forward_above_cost_1;
-        forward_above_beside_3 <= forward_above_cost_4 when (forward_above_cost_4 - forward_above_cost_2) < 0 else
-          forward_above_cost_2;
-        forward_above_beside_4 <= forward_above_cost_5 when (forward_above_cost_5 - forward_above_cost_3) < 0 else
-          forward_above_cost_3;
-        forward_above_beside_5 <= forward_above_cost_6 when (forward_above_cost_6 - forward_above_cost_4) < 0 else
-          forward_above_cost_4;
-        forward_above_beside_6 <= forward_above_cost_7 when (forward_above_cost_7 - forward_above_cost_5) < 0 else
-          forward_above_cost_5;
-        forward_above_beside_7 <= forward_above_cost_8 when (forward_above_cost_8 - forward_above_cost_6) < 0 else
-          forward_above_cost_6;
-        forward_above_beside_8 <= forward_above_cost_9 when (forward_above_cost_9 - forward_above_cost_7) < 0 else
-          forward_above_cost_7;
-        forward_above_beside_9 <= forward_above_cost_10 when (forward_above_cost_10 - forward_above_cost_8) < 0 else
-          forward_above_cost_8;
-        forward_above_beside_10 <= forward_above_cost_11 when (forward_above_cost_11 - forward_above_cost_9) < 0 else
-          forward_above_cost_9;
         forward_above_beside_11 <= forward_above_cost_10;
         forward_above_own_0 <= forward_above_cost_0;
         forward_above_own_2 <= forward_above_cost_2;
@@ -2073,18 +2580,6 @@ begin
         forward_above_step_9 <= forward_above_beside_9 + 5;
         forward_above_step_10 <= forward_above_beside_10 + 5;
         forward_above_step_11 <= forward_above_beside_11 + 5;
-        forward_above_stay_0 <= forward_above_own_0 mod 32 when forward_above_own_0 < 22 else 22;
-        forward_above_stay_1 <= forward_above_beside_0 mod 32 when forward_above_beside_0 < 22 else 22;
-        forward_above_stay_2 <= forward_above_own_2 mod 32 when forward_above_own_2 < 22 else 22;
-        forward_above_stay_3 <= forward_above_own_3 mod 32 when forward_above_own_3 < 22 else 22;
-        forward_above_stay_4 <= forward_above_own_4 mod 32 when forward_above_own_4 < 22 else 22;
-        forward_above_stay_5 <= forward_above_own_5 mod 32 when forward_above_own_5 < 22 else 22;
-        forward_above_stay_6 <= forward_above_own_6 mod 32 when forward_above_own_6 < 22 else 22;
-        forward_above_stay_7 <= forward_above_own_7 mod 32 when forward_above_own_7 < 22 else 22;
-        forward_above_stay_8 <= forward_above_own_8 mod 32 when forward_above_own_8 < 22 else 22;
-        forward_above_stay_9 <= forward_above_own_9 mod 32 when forward_above_own_9 < 22 else 22;
-        forward_above_stay_10 <= forward_above_beside_11 mod 32 when forward_above_beside_11 < 22 else 22;
-        forward_above_stay_11 <= forward_above_own_11 mod 32 when forward_above_own_11 < 22 else 22;
         forward_above_comes_0 <= entry_tag_map_column;
         forward_above_comes_1 <= forward_above_comes_0;
         forward_above_comes_2 <= forward_above_comes_1;
@@ -2179,39 +2674,347 @@ begin
         forward_smallest_cost_2 <= forward_smallest_cost_1;
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
+        if (entry_cost_1 - entry_cost_0) < 0 then
+          forward_smallest_smallest_0 <= entry_cost_1;
+        else
+          forward_smallest_smallest_0 <= entry_cost_0;
+        end if;
+        if (entry_cost_3 - entry_cost_2) < 0 then
+          forward_smallest_smallest_1 <= entry_cost_3;
+        else
+          forward_smallest_smallest_1 <= entry_cost_2;
+        end if;
+        if (entry_cost_5 - entry_cost_4) < 0 then
+          forward_smallest_smallest_2 <= entry_cost_5;
+        else
+          forward_smallest_smallest_2 <= entry_cost_4;
+        end if;
+        if (entry_cost_7 - entry_cost_6) < 0 then
+          forward_smallest_smallest_3 <= entry_cost_7;
+        else
+          forward_smallest_smallest_3 <= entry_cost_6;
+        end if;
+        if (entry_cost_9 - entry_cost_8) < 0 then
+          forward_smallest_smallest_4 <= entry_cost_9;
+        else
+          forward_smallest_smallest_4 <= entry_cost_8;
+        end if;
+        if (entry_cost_11 - entry_cost_10) < 0 then
+          forward_smallest_smallest_5 <= entry_cost_11;
+        else
+          forward_smallest_smallest_5 <= entry_cost_10;
+        end if;
+        if (forward_smallest_smallest_1 - forward_smallest_smallest_0) < 0 then
+          forward_smallest_next_smallest_0 <= forward_smallest_smallest_1;
+        else
+          forward_smallest_next_smallest_0 <= forward_smallest_smallest_0;
+        end if;
+        if (forward_smallest_smallest_3 - forward_smallest_smallest_2) < 0 then
+          forward_smallest_next_smallest_1 <= forward_smallest_smallest_3;
+        else
+          forward_smallest_next_smallest_1 <= forward_smallest_smallest_2;
+        end if;
+        if (forward_smallest_smallest_5 - forward_smallest_smallest_4) < 0 then
+          forward_smallest_next_smallest_2 <= forward_smallest_smallest_5;
+        else
+          forward_smallest_next_smallest_2 <= forward_smallest_smallest_4;
+        end if;
+        if (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 then
+          forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1;
+        else
+          forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_0;
+        end if;
+        if (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 then
+          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1;
+        else
+          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_0;
+        end if;
+        if forward_cost_delay_ring_read_address = 4 then
+          forward_cost_delay_ring_read_address <= 0;
+        else
+          forward_cost_delay_ring_read_address <= (forward_cost_delay_ring_read_address + 1) mod 8;
+        end if;
+        if (forward_left_pair_1 - forward_left_pair_0) < 0 then
+          forward_left_tree_smallest_0 <= forward_left_pair_1;
+        else
+          forward_left_tree_smallest_0 <= forward_left_pair_0;
+        end if;
+        if (forward_left_pair_3 - forward_left_pair_2) < 0 then
+          forward_left_tree_smallest_1 <= forward_left_pair_3;
+        else
+          forward_left_tree_smallest_1 <= forward_left_pair_2;
+        end if;
+        if (forward_left_pair_5 - forward_left_pair_4) < 0 then
+          forward_left_tree_smallest_2 <= forward_left_pair_5;
+        else
+          forward_left_tree_smallest_2 <= forward_left_pair_4;
+        end if;
+        if (forward_left_tree_smallest_1 - forward_left_tree_smallest_0) < 0 then
+          forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1;
+        else
+          forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_0;
+        end if;
+        if (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 then
+          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1;
+        else
+          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_0;
+        end if;
+        if sums_turn_waiting_first_3 then
+          forward_left_start_cost_0 <= 22;
+          forward_left_start_cost_1 <= 0;
+          forward_left_start_cost_2 <= 0;
+          forward_left_start_cost_3 <= 0;
+          forward_left_start_cost_4 <= 0;
+          forward_left_start_cost_5 <= 0;
+          forward_left_start_cost_6 <= 0;
+          forward_left_room <= 0;
+        else
+          forward_left_start_cost_0 <= forward_left_start_cost_0_choice_2;
+          forward_left_start_cost_1 <= forward_left_start_cost_0;
+          forward_left_start_cost_2 <= forward_left_start_cost_1;
+          forward_left_start_cost_3 <= forward_left_start_cost_2;
+          forward_left_start_cost_4 <= forward_left_start_cost_3;
+          forward_left_start_cost_5 <= forward_left_start_cost_4;
+          forward_left_start_cost_6 <= forward_left_start_cost_5;
+          forward_left_room <= (forward_left_room_choice_2 + forward_left_start_cost_6) mod 32;
+        end if;
+        if (forward_above_total_1 - forward_above_total_0) < 0 then
+          forward_above_tree_smallest_0 <= forward_above_total_1;
+        else
+          forward_above_tree_smallest_0 <= forward_above_total_0;
+        end if;
+        if (forward_above_total_3 - forward_above_total_2) < 0 then
+          forward_above_tree_smallest_1 <= forward_above_total_3;
+        else
+          forward_above_tree_smallest_1 <= forward_above_total_2;
+        end if;
+        if (forward_above_total_5 - forward_above_total_4) < 0 then
+          forward_above_tree_smallest_2 <= forward_above_total_5;
+        else
+          forward_above_tree_smallest_2 <= forward_above_total_4;
+        end if;
+        if (forward_above_total_7 - forward_above_total_6) < 0 then
+          forward_above_tree_smallest_3 <= forward_above_total_7;
+        else
+          forward_above_tree_smallest_3 <= forward_above_total_6;
+        end if;
+        if (forward_above_total_9 - forward_above_total_8) < 0 then
+          forward_above_tree_smallest_4 <= forward_above_total_9;
+        else
+          forward_above_tree_smallest_4 <= forward_above_total_8;
+        end if;
+        if (forward_above_total_11 - forward_above_total_10) < 0 then
+          forward_above_tree_smallest_5 <= forward_above_total_11;
+        else
+          forward_above_tree_smallest_5 <= forward_above_total_10;
+        end if;
+        if (forward_above_tree_smallest_1 - forward_above_tree_smallest_0) < 0 then
+          forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1;
+        else
+          forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_0;
+        end if;
+        if (forward_above_tree_smallest_3 - forward_above_tree_smallest_2) < 0 then
+          forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3;
+        else
+          forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_2;
+        end if;
+        if (forward_above_tree_smallest_5 - forward_above_tree_smallest_4) < 0 then
+          forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5;
+        else
+          forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_4;
+        end if;
+        if (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 then
+          forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1;
+        else
+          forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_0;
+        end if;
+        if (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 then
+          forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1;
+        else
+          forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_0;
+        end if;
+        if forward_above_delay_ring_read_address = 4 then
+          forward_above_delay_ring_read_address <= 0;
+        else
+          forward_above_delay_ring_read_address <= (forward_above_delay_ring_read_address + 1) mod 8;
+        end if;
+        if (forward_above_cost_2 - forward_above_cost_0) < 0 then
+          forward_above_beside_1 <= forward_above_cost_2;
+        else
+          forward_above_beside_1 <= forward_above_cost_0;
+        end if;
+        if (forward_above_cost_3 - forward_above_cost_1) < 0 then
+          forward_above_beside_2 <= forward_above_cost_3;
+        else
+          forward_above_beside_2 <= forward_above_cost_1;
+        end if;
+        if (forward_above_cost_4 - forward_above_cost_2) < 0 then
+          forward_above_beside_3 <= forward_above_cost_4;
+        else
+          forward_above_beside_3 <= forward_above_cost_2;
+        end if;
+        if (forward_above_cost_5 - forward_above_cost_3) < 0 then
+          forward_above_beside_4 <= forward_above_cost_5;
+        else
+          forward_above_beside_4 <= forward_above_cost_3;
+        end if;
+        if (forward_above_cost_6 - forward_above_cost_4) < 0 then
+          forward_above_beside_5 <= forward_above_cost_6;
+        else
+          forward_above_beside_5 <= forward_above_cost_4;
+        end if;
+        if (forward_above_cost_7 - forward_above_cost_5) < 0 then
+          forward_above_beside_6 <= forward_above_cost_7;
+        else
+          forward_above_beside_6 <= forward_above_cost_5;
+        end if;
+        if (forward_above_cost_8 - forward_above_cost_6) < 0 then
+          forward_above_beside_7 <= forward_above_cost_8;
+        else
+          forward_above_beside_7 <= forward_above_cost_6;
+        end if;
+        if (forward_above_cost_9 - forward_above_cost_7) < 0 then
+          forward_above_beside_8 <= forward_above_cost_9;
+        else
+          forward_above_beside_8 <= forward_above_cost_7;
+        end if;
+        if (forward_above_cost_10 - forward_above_cost_8) < 0 then
+          forward_above_beside_9 <= forward_above_cost_10;
+        else
+          forward_above_beside_9 <= forward_above_cost_8;
+        end if;
+        if (forward_above_cost_11 - forward_above_cost_9) < 0 then
+          forward_above_beside_10 <= forward_above_cost_11;
+        else
+          forward_above_beside_10 <= forward_above_cost_9;
+        end if;
+        if forward_above_own_0 < 22 then
+          forward_above_stay_0 <= forward_above_own_0 mod 32;
+        else
+          forward_above_stay_0 <= 22;
+        end if;
+        if forward_above_beside_0 < 22 then
+          forward_above_stay_1 <= forward_above_beside_0 mod 32;
+        else
+          forward_above_stay_1 <= 22;
+        end if;
+        if forward_above_own_2 < 22 then
+          forward_above_stay_2 <= forward_above_own_2 mod 32;
+        else
+          forward_above_stay_2 <= 22;
+        end if;
+        if forward_above_own_3 < 22 then
+          forward_above_stay_3 <= forward_above_own_3 mod 32;
+        else
+          forward_above_stay_3 <= 22;
+        end if;
+        if forward_above_own_4 < 22 then
+          forward_above_stay_4 <= forward_above_own_4 mod 32;
+        else
+          forward_above_stay_4 <= 22;
+        end if;
+        if forward_above_own_5 < 22 then
+          forward_above_stay_5 <= forward_above_own_5 mod 32;
+        else
+          forward_above_stay_5 <= 22;
+        end if;
+        if forward_above_own_6 < 22 then
+          forward_above_stay_6 <= forward_above_own_6 mod 32;
+        else
+          forward_above_stay_6 <= 22;
+        end if;
+        if forward_above_own_7 < 22 then
+          forward_above_stay_7 <= forward_above_own_7 mod 32;
+        else
+          forward_above_stay_7 <= 22;
+        end if;
+        if forward_above_own_8 < 22 then
+          forward_above_stay_8 <= forward_above_own_8 mod 32;
+        else
+          forward_above_stay_8 <= 22;
+        end if;
+        if forward_above_own_9 < 22 then
+          forward_above_stay_9 <= forward_above_own_9 mod 32;
+        else
+          forward_above_stay_9 <= 22;
+        end if;
+        if forward_above_beside_11 < 22 then
+          forward_above_stay_10 <= forward_above_beside_11 mod 32;
+        else
+          forward_above_stay_10 <= 22;
+        end if;
+        if forward_above_own_11 < 22 then
+          forward_above_stay_11 <= forward_above_own_11 mod 32;
+        else
+          forward_above_stay_11 <= 22;
+        end if;
       end if;
-      forward_above_writes_copy_0_choice := forward_above_comes_8 when entry_tag_valid else forward_above_comes_9;
+      if entry_tag_valid then
+        forward_above_writes_copy_0_choice := forward_above_comes_8;
+      else
+        forward_above_writes_copy_0_choice := forward_above_comes_9;
+      end if;
       forward_above_writes_copy_0 <= entry_next_tag_valid and forward_above_writes_copy_0_choice;
-      forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
-        else forward_above_stay_4;
+      if (forward_above_step_4 - forward_above_stay_4) < 0 then
+        forward_above_write_words_0_choice := forward_above_step_4;
+      else
+        forward_above_write_words_0_choice := forward_above_stay_4;
+      end if;
       if (forward_above_step_5 - forward_above_stay_5) < 0 then
         forward_above_write_words_0_choice_2 := forward_above_step_5 mod 128;
       else
         forward_above_write_words_0_choice_2 := forward_above_stay_5;
       end if;
-      forward_above_write_words_0_choice_3 := forward_above_step_3 when (forward_above_step_3 - forward_above_stay_3) <
-        0 else forward_above_stay_3;
-      forward_above_write_words_0_choice_4 := forward_above_step_2 when (forward_above_step_2 - forward_above_stay_2) <
-        0 else forward_above_stay_2;
-      forward_above_write_words_0_choice_5 := forward_above_step_0 when (forward_above_step_0 - forward_above_stay_0) <
-        0 else forward_above_stay_0;
-      forward_above_write_words_0_choice_6 := forward_above_step_1 when (forward_above_step_1 - forward_above_stay_1) <
-        0 else forward_above_stay_1;
-      forward_above_write_words_1_choice := forward_above_step_10 when (forward_above_step_10 - forward_above_stay_10)
-        < 0 else forward_above_stay_10;
+      if (forward_above_step_3 - forward_above_stay_3) < 0 then
+        forward_above_write_words_0_choice_3 := forward_above_step_3;
+      else
+        forward_above_write_words_0_choice_3 := forward_above_stay_3;
+      end if;
+      if (forward_above_step_2 - forward_above_stay_2) < 0 then
+        forward_above_write_words_0_choice_4 := forward_above_step_2;
+      else
+        forward_above_write_words_0_choice_4 := forward_above_stay_2;
+      end if;
+      if (forward_above_step_0 - forward_above_stay_0) < 0 then
+        forward_above_write_words_0_choice_5 := forward_above_step_0;
+      else
+        forward_above_write_words_0_choice_5 := forward_above_stay_0;
+      end if;
+      if (forward_above_step_1 - forward_above_stay_1) < 0 then
+        forward_above_write_words_0_choice_6 := forward_above_step_1;
+      else
+        forward_above_write_words_0_choice_6 := forward_above_stay_1;
+      end if;
+      if (forward_above_step_10 - forward_above_stay_10) < 0 then
+        forward_above_write_words_1_choice := forward_above_step_10;
+      else
+        forward_above_write_words_1_choice := forward_above_stay_10;
+      end if;
       if (forward_above_step_11 - forward_above_stay_11) < 0 then
         forward_above_write_words_1_choice_2 := forward_above_step_11 mod 128;
       else
         forward_above_write_words_1_choice_2 := forward_above_stay_11;
       end if;
-      forward_above_write_words_1_choice_3 := forward_above_step_9 when (forward_above_step_9 - forward_above_stay_9) <
-        0 else forward_above_stay_9;
-      forward_above_write_words_1_choice_4 := forward_above_step_8 when (forward_above_step_8 - forward_above_stay_8) <
-        0 else forward_above_stay_8;
-      forward_above_write_words_1_choice_5 := forward_above_step_6 when (forward_above_step_6 - forward_above_stay_6) <
-        0 else forward_above_stay_6;
-      forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
-        0 else forward_above_stay_7;
+      if (forward_above_step_9 - forward_above_stay_9) < 0 then
+        forward_above_write_words_1_choice_3 := forward_above_step_9;
+      else
+        forward_above_write_words_1_choice_3 := forward_above_stay_9;
+      end if;
+      if (forward_above_step_8 - forward_above_stay_8) < 0 then
+        forward_above_write_words_1_choice_4 := forward_above_step_8;
+      else
+        forward_above_write_words_1_choice_4 := forward_above_stay_8;
+      end if;
+      if (forward_above_step_6 - forward_above_stay_6) < 0 then
+        forward_above_write_words_1_choice_5 := forward_above_step_6;
+      else
+        forward_above_write_words_1_choice_5 := forward_above_stay_6;
+      end if;
+      if (forward_above_step_7 - forward_above_stay_7) < 0 then
+        forward_above_write_words_1_choice_6 := forward_above_step_7;
+      else
+        forward_above_write_words_1_choice_6 := forward_above_stay_7;
+      end if;
       if forward_above_writes_copy_0 then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
           20)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 25)))) or
@@ -2228,18 +3031,36 @@ begin
         forward_above_write_column <= forward_above_column_9;
       end if;
       -- sums
-      sums_right_pair_0_choice := sums_right_cost_2 when (sums_right_cost_2 - sums_right_cost_0) < 0 else
-        sums_right_cost_0;
-      sums_right_pair_1_choice := sums_right_cost_3 when (sums_right_cost_3 - sums_right_cost_1) < 0 else
-        sums_right_cost_1;
-      sums_right_pair_2_choice := sums_right_cost_6 when (sums_right_cost_6 - sums_right_cost_4) < 0 else
-        sums_right_cost_4;
-      sums_right_pair_3_choice := sums_right_cost_7 when (sums_right_cost_7 - sums_right_cost_5) < 0 else
-        sums_right_cost_5;
-      sums_right_pair_4_choice := sums_right_cost_10 when (sums_right_cost_10 - sums_right_cost_8) < 0 else
-        sums_right_cost_8;
-      sums_right_pair_5_choice := sums_right_cost_11 when (sums_right_cost_11 - sums_right_cost_9) < 0 else
-        sums_right_cost_9;
+      if (sums_right_cost_2 - sums_right_cost_0) < 0 then
+        sums_right_pair_0_choice := sums_right_cost_2;
+      else
+        sums_right_pair_0_choice := sums_right_cost_0;
+      end if;
+      if (sums_right_cost_3 - sums_right_cost_1) < 0 then
+        sums_right_pair_1_choice := sums_right_cost_3;
+      else
+        sums_right_pair_1_choice := sums_right_cost_1;
+      end if;
+      if (sums_right_cost_6 - sums_right_cost_4) < 0 then
+        sums_right_pair_2_choice := sums_right_cost_6;
+      else
+        sums_right_pair_2_choice := sums_right_cost_4;
+      end if;
+      if (sums_right_cost_7 - sums_right_cost_5) < 0 then
+        sums_right_pair_3_choice := sums_right_cost_7;
+      else
+        sums_right_pair_3_choice := sums_right_cost_5;
+      end if;
+      if (sums_right_cost_10 - sums_right_cost_8) < 0 then
+        sums_right_pair_4_choice := sums_right_cost_10;
+      else
+        sums_right_pair_4_choice := sums_right_cost_8;
+      end if;
+      if (sums_right_cost_11 - sums_right_cost_9) < 0 then
+        sums_right_pair_5_choice := sums_right_cost_11;
+      else
+        sums_right_pair_5_choice := sums_right_cost_9;
+      end if;
       sums_right_start_cost_0_is_less := 255 < sums_right_tree_next_next_smallest_0;
       sums_right_start_cost_0_is_less_2 := 255 < ((sums_right_tree_next_next_smallest_0 mod 256) + sums_right_room);
       if sums_right_start_cost_0_is_less_2 then
@@ -2257,75 +3078,211 @@ begin
       else
         sums_right_room_choice := sums_right_room;
       end if;
-      sums_right_room_choice_2 := 0 when sums_right_start_cost_0_is_less else sums_right_room_choice;
-      sums_right_cost_0_choice := sums_right_arrived_0 when (sums_right_arrived_0 - sums_right_cost_0) < 0 else
-        sums_right_cost_0;
-      sums_right_cost_0_choice_2 := 256 when (255 < sums_right_cost_0_choice) or sums_tags_held_12_first_column else
-        sums_right_cost_0_choice;
-      sums_right_cost_1_choice := sums_right_arrived_1 when (sums_right_arrived_1 - sums_right_cost_1) < 0 else
-        sums_right_cost_1;
-      sums_right_cost_1_choice_2 := 256 when (255 < sums_right_cost_1_choice) or sums_tags_held_12_first_column else
-        sums_right_cost_1_choice;
-      sums_right_cost_2_choice := sums_right_arrived_2 when (sums_right_arrived_2 - sums_right_cost_2) < 0 else
-        sums_right_cost_2;
-      sums_right_cost_2_choice_2 := 256 when (255 < sums_right_cost_2_choice) or sums_tags_held_12_first_column else
-        sums_right_cost_2_choice;
-      sums_right_cost_3_choice := sums_right_arrived_3 when (sums_right_arrived_3 - sums_right_cost_3) < 0 else
-        sums_right_cost_3;
-      sums_right_cost_3_choice_2 := 256 when (255 < sums_right_cost_3_choice) or sums_tags_held_12_first_column else
-        sums_right_cost_3_choice;
-      sums_right_cost_4_choice := sums_right_arrived_4 when (sums_right_arrived_4 - sums_right_cost_4) < 0 else
-        sums_right_cost_4;
-      sums_right_cost_4_choice_2 := 256 when (255 < sums_right_cost_4_choice) or sums_tags_held_12_first_column else
-        sums_right_cost_4_choice;
-      sums_right_cost_5_choice := sums_right_arrived_5 when (sums_right_arrived_5 - sums_right_cost_5) < 0 else
-        sums_right_cost_5;
-      sums_right_cost_5_choice_2 := 256 when (255 < sums_right_cost_5_choice) or sums_tags_held_12_first_column else
-        sums_right_cost_5_choice;
-      sums_right_cost_6_choice := sums_right_arrived_6 when (sums_right_arrived_6 - sums_right_cost_6) < 0 else
-        sums_right_cost_6;
-      sums_right_cost_6_choice_2 := 256 when (255 < sums_right_cost_6_choice) or sums_tags_held_12_first_column else
-        sums_right_cost_6_choice;
-      sums_right_cost_7_choice := sums_right_arrived_7 when (sums_right_arrived_7 - sums_right_cost_7) < 0 else
-        sums_right_cost_7;
-      sums_right_cost_7_choice_2 := 256 when (255 < sums_right_cost_7_choice) or sums_tags_held_12_first_column else
-        sums_right_cost_7_choice;
-      sums_right_cost_8_choice := sums_right_arrived_8 when (sums_right_arrived_8 - sums_right_cost_8) < 0 else
-        sums_right_cost_8;
-      sums_right_cost_8_choice_2 := 256 when (255 < sums_right_cost_8_choice) or sums_tags_held_12_first_column else
-        sums_right_cost_8_choice;
-      sums_right_cost_9_choice := sums_right_arrived_9 when (sums_right_arrived_9 - sums_right_cost_9) < 0 else
-        sums_right_cost_9;
-      sums_right_cost_9_choice_2 := 256 when (255 < sums_right_cost_9_choice) or sums_tags_held_12_first_column else
-        sums_right_cost_9_choice;
-      sums_right_cost_10_choice := sums_right_arrived_10 when (sums_right_arrived_10 - sums_right_cost_10) < 0 else
-        sums_right_cost_10;
-      sums_right_cost_10_choice_2 := 256 when (255 < sums_right_cost_10_choice) or sums_tags_held_12_first_column else
-        sums_right_cost_10_choice;
-      sums_right_cost_11_choice := sums_right_arrived_11 when (sums_right_arrived_11 - sums_right_cost_11) < 0 else
-        sums_right_cost_11;
-      sums_right_cost_11_choice_2 := 256 when (255 < sums_right_cost_11_choice) or sums_tags_held_12_first_column else
-        sums_right_cost_11_choice;
-      sums_right_arrived_0_choice := 256 when sums_tags_held_12_first_column else sums_right_cost_1;
-      sums_right_arrived_1_choice := 256 when sums_tags_held_12_first_column else sums_right_pair_0_choice;
-      sums_right_arrived_2_choice := 256 when sums_tags_held_12_first_column else sums_right_pair_1_choice;
-      sums_right_arrived_3_choice := sums_right_cost_4 when (sums_right_cost_4 - sums_right_cost_2) < 0 else
-        sums_right_cost_2;
-      sums_right_arrived_3_choice_2 := 256 when sums_tags_held_12_first_column else sums_right_arrived_3_choice;
-      sums_right_arrived_4_choice := sums_right_cost_5 when (sums_right_cost_5 - sums_right_cost_3) < 0 else
-        sums_right_cost_3;
-      sums_right_arrived_4_choice_2 := 256 when sums_tags_held_12_first_column else sums_right_arrived_4_choice;
-      sums_right_arrived_5_choice := 256 when sums_tags_held_12_first_column else sums_right_pair_2_choice;
-      sums_right_arrived_6_choice := 256 when sums_tags_held_12_first_column else sums_right_pair_3_choice;
-      sums_right_arrived_7_choice := sums_right_cost_8 when (sums_right_cost_8 - sums_right_cost_6) < 0 else
-        sums_right_cost_6;
-      sums_right_arrived_7_choice_2 := 256 when sums_tags_held_12_first_column else sums_right_arrived_7_choice;
-      sums_right_arrived_8_choice := sums_right_cost_9 when (sums_right_cost_9 - sums_right_cost_7) < 0 else
-        sums_right_cost_7;
-      sums_right_arrived_8_choice_2 := 256 when sums_tags_held_12_first_column else sums_right_arrived_8_choice;
-      sums_right_arrived_9_choice := 256 when sums_tags_held_12_first_column else sums_right_pair_4_choice;
-      sums_right_arrived_10_choice := 256 when sums_tags_held_12_first_column else sums_right_pair_5_choice;
-      sums_right_arrived_11_choice := 256 when sums_tags_held_12_first_column else sums_right_cost_10;
+      if sums_right_start_cost_0_is_less then
+        sums_right_room_choice_2 := 0;
+      else
+        sums_right_room_choice_2 := sums_right_room_choice;
+      end if;
+      if (sums_right_arrived_0 - sums_right_cost_0) < 0 then
+        sums_right_cost_0_choice := sums_right_arrived_0;
+      else
+        sums_right_cost_0_choice := sums_right_cost_0;
+      end if;
+      if (255 < sums_right_cost_0_choice) or sums_tags_held_12_first_column then
+        sums_right_cost_0_choice_2 := 256;
+      else
+        sums_right_cost_0_choice_2 := sums_right_cost_0_choice;
+      end if;
+      if (sums_right_arrived_1 - sums_right_cost_1) < 0 then
+        sums_right_cost_1_choice := sums_right_arrived_1;
+      else
+        sums_right_cost_1_choice := sums_right_cost_1;
+      end if;
+      if (255 < sums_right_cost_1_choice) or sums_tags_held_12_first_column then
+        sums_right_cost_1_choice_2 := 256;
+      else
+        sums_right_cost_1_choice_2 := sums_right_cost_1_choice;
+      end if;
+      if (sums_right_arrived_2 - sums_right_cost_2) < 0 then
+        sums_right_cost_2_choice := sums_right_arrived_2;
+      else
+        sums_right_cost_2_choice := sums_right_cost_2;
+      end if;
+      if (255 < sums_right_cost_2_choice) or sums_tags_held_12_first_column then
+        sums_right_cost_2_choice_2 := 256;
+      else
+        sums_right_cost_2_choice_2 := sums_right_cost_2_choice;
+      end if;
+      if (sums_right_arrived_3 - sums_right_cost_3) < 0 then
+        sums_right_cost_3_choice := sums_right_arrived_3;
+      else
+        sums_right_cost_3_choice := sums_right_cost_3;
+      end if;
+      if (255 < sums_right_cost_3_choice) or sums_tags_held_12_first_column then
+        sums_right_cost_3_choice_2 := 256;
+      else
+        sums_right_cost_3_choice_2 := sums_right_cost_3_choice;
+      end if;
+      if (sums_right_arrived_4 - sums_right_cost_4) < 0 then
+        sums_right_cost_4_choice := sums_right_arrived_4;
+      else
+        sums_right_cost_4_choice := sums_right_cost_4;
+      end if;
+      if (255 < sums_right_cost_4_choice) or sums_tags_held_12_first_column then
+        sums_right_cost_4_choice_2 := 256;
+      else
+        sums_right_cost_4_choice_2 := sums_right_cost_4_choice;
+      end if;
+      if (sums_right_arrived_5 - sums_right_cost_5) < 0 then
+        sums_right_cost_5_choice := sums_right_arrived_5;
+      else
+        sums_right_cost_5_choice := sums_right_cost_5;
+      end if;
+      if (255 < sums_right_cost_5_choice) or sums_tags_held_12_first_column then
+        sums_right_cost_5_choice_2 := 256;
+      else
+        sums_right_cost_5_choice_2 := sums_right_cost_5_choice;
+      end if;
+      if (sums_right_arrived_6 - sums_right_cost_6) < 0 then
+        sums_right_cost_6_choice := sums_right_arrived_6;
+      else
+        sums_right_cost_6_choice := sums_right_cost_6;
+      end if;
+      if (255 < sums_right_cost_6_choice) or sums_tags_held_12_first_column then
+        sums_right_cost_6_choice_2 := 256;
+      else
+        sums_right_cost_6_choice_2 := sums_right_cost_6_choice;
+      end if;
+      if (sums_right_arrived_7 - sums_right_cost_7) < 0 then
+        sums_right_cost_7_choice := sums_right_arrived_7;
+      else
+        sums_right_cost_7_choice := sums_right_cost_7;
+      end if;
+      if (255 < sums_right_cost_7_choice) or sums_tags_held_12_first_column then
+        sums_right_cost_7_choice_2 := 256;
+      else
+        sums_right_cost_7_choice_2 := sums_right_cost_7_choice;
+      end if;
+      if (sums_right_arrived_8 - sums_right_cost_8) < 0 then
+        sums_right_cost_8_choice := sums_right_arrived_8;
+      else
+        sums_right_cost_8_choice := sums_right_cost_8;
+      end if;
+      if (255 < sums_right_cost_8_choice) or sums_tags_held_12_first_column then
+        sums_right_cost_8_choice_2 := 256;
+      else
+        sums_right_cost_8_choice_2 := sums_right_cost_8_choice;
+      end if;
+      if (sums_right_arrived_9 - sums_right_cost_9) < 0 then
+        sums_right_cost_9_choice := sums_right_arrived_9;
+      else
+        sums_right_cost_9_choice := sums_right_cost_9;
+      end if;
+      if (255 < sums_right_cost_9_choice) or sums_tags_held_12_first_column then
+        sums_right_cost_9_choice_2 := 256;
+      else
+        sums_right_cost_9_choice_2 := sums_right_cost_9_choice;
+      end if;
+      if (sums_right_arrived_10 - sums_right_cost_10) < 0 then
+        sums_right_cost_10_choice := sums_right_arrived_10;
+      else
+        sums_right_cost_10_choice := sums_right_cost_10;
+      end if;
+      if (255 < sums_right_cost_10_choice) or sums_tags_held_12_first_column then
+        sums_right_cost_10_choice_2 := 256;
+      else
+        sums_right_cost_10_choice_2 := sums_right_cost_10_choice;
+      end if;
+      if (sums_right_arrived_11 - sums_right_cost_11) < 0 then
+        sums_right_cost_11_choice := sums_right_arrived_11;
+      else
+        sums_right_cost_11_choice := sums_right_cost_11;
+      end if;
+      if (255 < sums_right_cost_11_choice) or sums_tags_held_12_first_column then
+        sums_right_cost_11_choice_2 := 256;
+      else
+        sums_right_cost_11_choice_2 := sums_right_cost_11_choice;
+      end if;
+      if sums_tags_held_12_first_column then
+        sums_right_arrived_0_choice := 256;
+      else
+        sums_right_arrived_0_choice := sums_right_cost_1;
+      end if;
+      if sums_tags_held_12_first_column then
+        sums_right_arrived_1_choice := 256;
+      else
+        sums_right_arrived_1_choice := sums_right_pair_0_choice;
+      end if;
+      if sums_tags_held_12_first_column then
+        sums_right_arrived_2_choice := 256;
+      else
+        sums_right_arrived_2_choice := sums_right_pair_1_choice;
+      end if;
+      if (sums_right_cost_4 - sums_right_cost_2) < 0 then
+        sums_right_arrived_3_choice := sums_right_cost_4;
+      else
+        sums_right_arrived_3_choice := sums_right_cost_2;
+      end if;
+      if sums_tags_held_12_first_column then
+        sums_right_arrived_3_choice_2 := 256;
+      else
+        sums_right_arrived_3_choice_2 := sums_right_arrived_3_choice;
+      end if;
+      if (sums_right_cost_5 - sums_right_cost_3) < 0 then
+        sums_right_arrived_4_choice := sums_right_cost_5;
+      else
+        sums_right_arrived_4_choice := sums_right_cost_3;
+      end if;
+      if sums_tags_held_12_first_column then
+        sums_right_arrived_4_choice_2 := 256;
+      else
+        sums_right_arrived_4_choice_2 := sums_right_arrived_4_choice;
+      end if;
+      if sums_tags_held_12_first_column then
+        sums_right_arrived_5_choice := 256;
+      else
+        sums_right_arrived_5_choice := sums_right_pair_2_choice;
+      end if;
+      if sums_tags_held_12_first_column then
+        sums_right_arrived_6_choice := 256;
+      else
+        sums_right_arrived_6_choice := sums_right_pair_3_choice;
+      end if;
+      if (sums_right_cost_8 - sums_right_cost_6) < 0 then
+        sums_right_arrived_7_choice := sums_right_cost_8;
+      else
+        sums_right_arrived_7_choice := sums_right_cost_6;
+      end if;
+      if sums_tags_held_12_first_column then
+        sums_right_arrived_7_choice_2 := 256;
+      else
+        sums_right_arrived_7_choice_2 := sums_right_arrived_7_choice;
+      end if;
+      if (sums_right_cost_9 - sums_right_cost_7) < 0 then
+        sums_right_arrived_8_choice := sums_right_cost_9;
+      else
+        sums_right_arrived_8_choice := sums_right_cost_7;
+      end if;
+      if sums_tags_held_12_first_column then
+        sums_right_arrived_8_choice_2 := 256;
+      else
+        sums_right_arrived_8_choice_2 := sums_right_arrived_8_choice;
+      end if;
+      if sums_tags_held_12_first_column then
+        sums_right_arrived_9_choice := 256;
+      else
+        sums_right_arrived_9_choice := sums_right_pair_4_choice;
+      end if;
+      if sums_tags_held_12_first_column then
+        sums_right_arrived_10_choice := 256;
+      else
+        sums_right_arrived_10_choice := sums_right_pair_5_choice;
+      end if;
+      if sums_tags_held_12_first_column then
+        sums_right_arrived_11_choice := 256;
+      else
+        sums_right_arrived_11_choice := sums_right_cost_10;
+      end if;
       if entry_tag_valid then
         sums_turn_ready_sums_0 <= to_integer(sums_turn_read_sums_0);
         sums_turn_ready_sums_1 <= to_integer(sums_turn_read_sums_1);
@@ -2379,26 +3336,7 @@ begin
         sums_right_pair_3 <= sums_right_pair_3_choice;
         sums_right_pair_4 <= sums_right_pair_4_choice;
         sums_right_pair_5 <= sums_right_pair_5_choice;
-        sums_right_tree_smallest_0 <= sums_right_pair_1 when (sums_right_pair_1 - sums_right_pair_0) < 0 else
-          sums_right_pair_0;
-        sums_right_tree_smallest_1 <= sums_right_pair_3 when (sums_right_pair_3 - sums_right_pair_2) < 0 else
-          sums_right_pair_2;
-        sums_right_tree_smallest_2 <= sums_right_pair_5 when (sums_right_pair_5 - sums_right_pair_4) < 0 else
-          sums_right_pair_4;
-        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when (sums_right_tree_smallest_1 -
-          sums_right_tree_smallest_0) < 0 else sums_right_tree_smallest_0;
         sums_right_tree_next_smallest_1 <= sums_right_tree_smallest_2;
-        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when (sums_right_tree_next_smallest_1 -
-          sums_right_tree_next_smallest_0) < 0 else sums_right_tree_next_smallest_0;
-        sums_right_start_cost_0 <= 22 when sums_turn_ready_first else sums_right_start_cost_0_choice_2;
-        sums_right_start_cost_1 <= 0 when sums_turn_ready_first else sums_right_start_cost_0;
-        sums_right_start_cost_2 <= 0 when sums_turn_ready_first else sums_right_start_cost_1;
-        sums_right_start_cost_3 <= 0 when sums_turn_ready_first else sums_right_start_cost_2;
-        sums_right_start_cost_4 <= 0 when sums_turn_ready_first else sums_right_start_cost_3;
-        sums_right_start_cost_5 <= 0 when sums_turn_ready_first else sums_right_start_cost_4;
-        sums_right_start_cost_6 <= 0 when sums_turn_ready_first else sums_right_start_cost_5;
-        sums_right_room <= 0 when sums_turn_ready_first else (sums_right_room_choice_2 + sums_right_start_cost_6) mod
-          32;
         sums_right_smallest <= sums_turn_ready_smallest_0;
         sums_right_smallest_less <= (sums_turn_ready_smallest_0 + 507) mod 512;
         sums_right_first_0 <= sums_turn_ready_first;
@@ -2454,8 +3392,6 @@ begin
         sums_right_arrived_9 <= (sums_right_arrived_9_choice + sums_right_step_change_9) mod 512;
         sums_right_arrived_10 <= (sums_right_arrived_10_choice + sums_right_step_change_10) mod 512;
         sums_right_arrived_11 <= (sums_right_arrived_11_choice + sums_right_step_change_11) mod 512;
-        sums_sum_delay_ring_read_address <= 0 when sums_sum_delay_ring_read_address = 3 else
-          (sums_sum_delay_ring_read_address + 1) mod 4;
         sums_sum_delay_ring_write_address <= sums_sum_delay_ring_read_address;
         sums_tags_held_0_output_column <= entry_turned_output_column;
         sums_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
@@ -2507,13 +3443,72 @@ begin
         sums_tags_held_13_first_column <= sums_right_first_2;
         sums_tags_held_13_start_of_frame <= sums_tags_held_12_start_of_frame;
         sums_tags_held_13_end_of_line <= sums_tags_held_12_end_of_line;
+        if (sums_right_pair_1 - sums_right_pair_0) < 0 then
+          sums_right_tree_smallest_0 <= sums_right_pair_1;
+        else
+          sums_right_tree_smallest_0 <= sums_right_pair_0;
+        end if;
+        if (sums_right_pair_3 - sums_right_pair_2) < 0 then
+          sums_right_tree_smallest_1 <= sums_right_pair_3;
+        else
+          sums_right_tree_smallest_1 <= sums_right_pair_2;
+        end if;
+        if (sums_right_pair_5 - sums_right_pair_4) < 0 then
+          sums_right_tree_smallest_2 <= sums_right_pair_5;
+        else
+          sums_right_tree_smallest_2 <= sums_right_pair_4;
+        end if;
+        if (sums_right_tree_smallest_1 - sums_right_tree_smallest_0) < 0 then
+          sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1;
+        else
+          sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_0;
+        end if;
+        if (sums_right_tree_next_smallest_1 - sums_right_tree_next_smallest_0) < 0 then
+          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1;
+        else
+          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_0;
+        end if;
+        if sums_turn_ready_first then
+          sums_right_start_cost_0 <= 22;
+          sums_right_start_cost_1 <= 0;
+          sums_right_start_cost_2 <= 0;
+          sums_right_start_cost_3 <= 0;
+          sums_right_start_cost_4 <= 0;
+          sums_right_start_cost_5 <= 0;
+          sums_right_start_cost_6 <= 0;
+          sums_right_room <= 0;
+        else
+          sums_right_start_cost_0 <= sums_right_start_cost_0_choice_2;
+          sums_right_start_cost_1 <= sums_right_start_cost_0;
+          sums_right_start_cost_2 <= sums_right_start_cost_1;
+          sums_right_start_cost_3 <= sums_right_start_cost_2;
+          sums_right_start_cost_4 <= sums_right_start_cost_3;
+          sums_right_start_cost_5 <= sums_right_start_cost_4;
+          sums_right_start_cost_6 <= sums_right_start_cost_5;
+          sums_right_room <= (sums_right_room_choice_2 + sums_right_start_cost_6) mod 32;
+        end if;
+        if sums_sum_delay_ring_read_address = 3 then
+          sums_sum_delay_ring_read_address <= 0;
+        else
+          sums_sum_delay_ring_read_address <= (sums_sum_delay_ring_read_address + 1) mod 4;
+        end if;
       end if;
-      sums_turn_writes_copy_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
-      sums_turn_waiting_read_place_choice := sums_turn_place_6 when entry_tag_valid else sums_turn_place_7;
-      sums_turn_waiting_read_place_choice_2 := sums_turn_place_7 when entry_tag_valid else sums_turn_place_8;
+      if entry_tag_valid then
+        sums_turn_writes_copy_0_choice := forward_above_comes_7;
+      else
+        sums_turn_writes_copy_0_choice := forward_above_comes_8;
+      end if;
+      if entry_tag_valid then
+        sums_turn_waiting_read_place_choice := sums_turn_place_6;
+      else
+        sums_turn_waiting_read_place_choice := sums_turn_place_7;
+      end if;
+      if entry_tag_valid then
+        sums_turn_waiting_read_place_choice_2 := sums_turn_place_7;
+      else
+        sums_turn_waiting_read_place_choice_2 := sums_turn_place_8;
+      end if;
       sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
-      sums_turn_waiting_read_place <= sums_turn_waiting_read_place_choice when entry_next_tag_valid else
-        sums_turn_waiting_read_place_choice_2;
       sums_sum_0_0 <= sums_right_cost_0 + to_integer(sums_sum_delay_held_0(8 downto 0));
       sums_sum_0_1 <= sums_right_cost_1 + to_integer(sums_sum_delay_held_0(17 downto 9));
       sums_sum_0_2 <= sums_right_cost_2 + to_integer(sums_sum_delay_held_0(26 downto 18));
@@ -2533,6 +3528,11 @@ begin
       sums_tag_start_of_frame <= sums_tags_held_13_start_of_frame;
       sums_tag_end_of_line <= sums_tags_held_13_end_of_line;
       sums_tags_moved <= entry_tag_valid;
+      if entry_next_tag_valid then
+        sums_turn_waiting_read_place <= sums_turn_waiting_read_place_choice;
+      else
+        sums_turn_waiting_read_place <= sums_turn_waiting_read_place_choice_2;
+      end if;
       if sums_turn_writes_copy_0 then
         sums_turn_write_sums_0 <= (forward_sum_2 * 262144) + forward_sum_0 + (forward_sum_1 * 512);
         sums_turn_write_sums_1 <= (forward_sum_5 * 262144) + forward_sum_3 + (forward_sum_4 * 512);
@@ -2559,76 +3559,224 @@ begin
         winnersmask_inside_8 <= sums_tags_held_13_first_column or winnersmask_inside_9;
         winnersmask_inside_9 <= sums_tags_held_13_first_column or winnersmask_inside_10;
         winnersmask_inside_10 <= sums_tags_held_13_first_column or winnersmask_inside_11;
-        winnersmask_column <= 0 when sums_tags_held_13_first_column else (winnersmask_column + 1) mod 64;
+        if sums_tags_held_13_first_column then
+          winnersmask_column <= 0;
+        else
+          winnersmask_column <= (winnersmask_column + 1) mod 64;
+        end if;
       end if;
-      winnersmask_inside_11_choice := sums_tags_moved and (not sums_tags_held_13_first_column) when
-        ((((winnersmask_column / 4) mod 2) = 1) or (((winnersmask_column / 2) mod 2) = 1)) and (((winnersmask_column /
-        8) mod 4) = 3) else ((winnersmask_column / 32) = 1) and sums_tags_moved and (not
-        sums_tags_held_13_first_column);
+      if ((((winnersmask_column / 4) mod 2) = 1) or (((winnersmask_column / 2) mod 2) = 1)) and (((winnersmask_column /
+        8) mod 4) = 3) then
+        winnersmask_inside_11_choice := sums_tags_moved and (not sums_tags_held_13_first_column);
+      else
+        winnersmask_inside_11_choice := ((winnersmask_column / 32) = 1) and sums_tags_moved and (not
+          sums_tags_held_13_first_column);
+      end if;
       winnersmask_inside_11 <= (not winnersmask_inside_11_choice) and (sums_tags_moved or winnersmask_inside_11);
       -- winnersother
-      winnersother_cost_0_1_choice := sums_tag_output_column and winnersmask_inside_1 when (winnersother_cost_0_2 -
-        sums_sum_0_1) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_1;
-      winnersother_cost_0_2_choice := sums_tag_output_column and winnersmask_inside_2 when (winnersother_cost_0_3 -
-        sums_sum_0_2) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_2;
-      winnersother_cost_0_3_choice := sums_tag_output_column and winnersmask_inside_3 when (winnersother_cost_0_4 -
-        sums_sum_0_3) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_3;
-      winnersother_cost_0_4_choice := sums_tag_output_column and winnersmask_inside_4 when (winnersother_cost_0_5 -
-        sums_sum_0_4) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_4;
-      winnersother_cost_0_5_choice := sums_tag_output_column and winnersmask_inside_5 when (winnersother_cost_0_6 -
-        sums_sum_0_5) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_5;
-      winnersother_cost_0_6_choice := sums_tag_output_column and winnersmask_inside_6 when (winnersother_cost_0_7 -
-        sums_sum_0_6) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_6;
-      winnersother_cost_0_7_choice := sums_tag_output_column and winnersmask_inside_7 when (winnersother_cost_0_8 -
-        sums_sum_0_7) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_7;
-      winnersother_cost_0_8_choice := sums_tag_output_column and winnersmask_inside_8 when (winnersother_cost_0_9 -
-        sums_sum_0_8) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_8;
-      winnersother_cost_0_9_choice := sums_tag_output_column and winnersmask_inside_9 when (winnersother_cost_0_10 -
-        sums_sum_0_9) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_9;
-      winnersother_cost_0_10_choice := sums_tag_output_column and winnersmask_inside_10 when (winnersother_cost_0_11 -
-        sums_sum_0_10) >= 0 else sums_tag_first_column and sums_tag_output_column and winnersmask_inside_10;
+      if (winnersother_cost_0_2 - sums_sum_0_1) >= 0 then
+        winnersother_cost_0_1_choice := sums_tag_output_column and winnersmask_inside_1;
+      else
+        winnersother_cost_0_1_choice := sums_tag_first_column and sums_tag_output_column and winnersmask_inside_1;
+      end if;
+      if (winnersother_cost_0_3 - sums_sum_0_2) >= 0 then
+        winnersother_cost_0_2_choice := sums_tag_output_column and winnersmask_inside_2;
+      else
+        winnersother_cost_0_2_choice := sums_tag_first_column and sums_tag_output_column and winnersmask_inside_2;
+      end if;
+      if (winnersother_cost_0_4 - sums_sum_0_3) >= 0 then
+        winnersother_cost_0_3_choice := sums_tag_output_column and winnersmask_inside_3;
+      else
+        winnersother_cost_0_3_choice := sums_tag_first_column and sums_tag_output_column and winnersmask_inside_3;
+      end if;
+      if (winnersother_cost_0_5 - sums_sum_0_4) >= 0 then
+        winnersother_cost_0_4_choice := sums_tag_output_column and winnersmask_inside_4;
+      else
+        winnersother_cost_0_4_choice := sums_tag_first_column and sums_tag_output_column and winnersmask_inside_4;
+      end if;
+      if (winnersother_cost_0_6 - sums_sum_0_5) >= 0 then
+        winnersother_cost_0_5_choice := sums_tag_output_column and winnersmask_inside_5;
+      else
+        winnersother_cost_0_5_choice := sums_tag_first_column and sums_tag_output_column and winnersmask_inside_5;
+      end if;
+      if (winnersother_cost_0_7 - sums_sum_0_6) >= 0 then
+        winnersother_cost_0_6_choice := sums_tag_output_column and winnersmask_inside_6;
+      else
+        winnersother_cost_0_6_choice := sums_tag_first_column and sums_tag_output_column and winnersmask_inside_6;
+      end if;
+      if (winnersother_cost_0_8 - sums_sum_0_7) >= 0 then
+        winnersother_cost_0_7_choice := sums_tag_output_column and winnersmask_inside_7;
+      else
+        winnersother_cost_0_7_choice := sums_tag_first_column and sums_tag_output_column and winnersmask_inside_7;
+      end if;
+      if (winnersother_cost_0_9 - sums_sum_0_8) >= 0 then
+        winnersother_cost_0_8_choice := sums_tag_output_column and winnersmask_inside_8;
+      else
+        winnersother_cost_0_8_choice := sums_tag_first_column and sums_tag_output_column and winnersmask_inside_8;
+      end if;
+      if (winnersother_cost_0_10 - sums_sum_0_9) >= 0 then
+        winnersother_cost_0_9_choice := sums_tag_output_column and winnersmask_inside_9;
+      else
+        winnersother_cost_0_9_choice := sums_tag_first_column and sums_tag_output_column and winnersmask_inside_9;
+      end if;
+      if (winnersother_cost_0_11 - sums_sum_0_10) >= 0 then
+        winnersother_cost_0_10_choice := sums_tag_output_column and winnersmask_inside_10;
+      else
+        winnersother_cost_0_10_choice := sums_tag_first_column and sums_tag_output_column and winnersmask_inside_10;
+      end if;
       winnersother_cost_0_11_all := sums_tag_output_column and winnersmask_inside_11;
-      winnersother_winner_0_0_choice := sums_tag_output_column and winnersmask_inside_0 when sums_tag_first_column else
-        sums_tag_output_column and ((winnersother_cost_0_1 - sums_sum_0_0) >= 0) and winnersmask_inside_0;
+      if sums_tag_first_column then
+        winnersother_winner_0_0_choice := sums_tag_output_column and winnersmask_inside_0;
+      else
+        winnersother_winner_0_0_choice := sums_tag_output_column and ((winnersother_cost_0_1 - sums_sum_0_0) >= 0) and
+          winnersmask_inside_0;
+      end if;
       if sums_tag_valid then
-        winnersother_cost_0_1 <= sums_sum_0_1 when winnersother_cost_0_1_choice else winnersother_cost_0_2;
-        winnersother_cost_0_2 <= sums_sum_0_2 when winnersother_cost_0_2_choice else winnersother_cost_0_3;
-        winnersother_cost_0_3 <= sums_sum_0_3 when winnersother_cost_0_3_choice else winnersother_cost_0_4;
-        winnersother_cost_0_4 <= sums_sum_0_4 when winnersother_cost_0_4_choice else winnersother_cost_0_5;
-        winnersother_cost_0_5 <= sums_sum_0_5 when winnersother_cost_0_5_choice else winnersother_cost_0_6;
-        winnersother_cost_0_6 <= sums_sum_0_6 when winnersother_cost_0_6_choice else winnersother_cost_0_7;
-        winnersother_cost_0_7 <= sums_sum_0_7 when winnersother_cost_0_7_choice else winnersother_cost_0_8;
-        winnersother_cost_0_8 <= sums_sum_0_8 when winnersother_cost_0_8_choice else winnersother_cost_0_9;
-        winnersother_cost_0_9 <= sums_sum_0_9 when winnersother_cost_0_9_choice else winnersother_cost_0_10;
-        winnersother_cost_0_10 <= sums_sum_0_10 when winnersother_cost_0_10_choice else winnersother_cost_0_11;
-        winnersother_cost_0_11 <= sums_sum_0_11 when winnersother_cost_0_11_all else 0;
-        winnersother_winner_0_0 <= 0 when winnersother_winner_0_0_choice else winnersother_winner_0_1;
-        winnersother_winner_0_1 <= 1 when winnersother_cost_0_1_choice else winnersother_winner_0_2;
-        winnersother_winner_0_2 <= 2 when winnersother_cost_0_2_choice else winnersother_winner_0_3;
-        winnersother_winner_0_3 <= 3 when winnersother_cost_0_3_choice else winnersother_winner_0_4;
-        winnersother_winner_0_4 <= 4 when winnersother_cost_0_4_choice else winnersother_winner_0_5;
-        winnersother_winner_0_5 <= 5 when winnersother_cost_0_5_choice else winnersother_winner_0_6;
-        winnersother_winner_0_6 <= 6 when winnersother_cost_0_6_choice else winnersother_winner_0_7;
-        winnersother_winner_0_7 <= 7 when winnersother_cost_0_7_choice else winnersother_winner_0_8;
-        winnersother_winner_0_8 <= 8 when winnersother_cost_0_8_choice else winnersother_winner_0_9;
-        winnersother_winner_0_9 <= 9 when winnersother_cost_0_9_choice else winnersother_winner_0_10;
-        winnersother_winner_0_10 <= 10 when winnersother_cost_0_10_choice else winnersother_winner_0_11;
-        winnersother_winner_0_11 <= 11 when winnersother_cost_0_11_all else 0;
+        if winnersother_cost_0_1_choice then
+          winnersother_cost_0_1 <= sums_sum_0_1;
+          winnersother_winner_0_1 <= 1;
+        else
+          winnersother_cost_0_1 <= winnersother_cost_0_2;
+          winnersother_winner_0_1 <= winnersother_winner_0_2;
+        end if;
+        if winnersother_cost_0_2_choice then
+          winnersother_cost_0_2 <= sums_sum_0_2;
+          winnersother_winner_0_2 <= 2;
+        else
+          winnersother_cost_0_2 <= winnersother_cost_0_3;
+          winnersother_winner_0_2 <= winnersother_winner_0_3;
+        end if;
+        if winnersother_cost_0_3_choice then
+          winnersother_cost_0_3 <= sums_sum_0_3;
+          winnersother_winner_0_3 <= 3;
+        else
+          winnersother_cost_0_3 <= winnersother_cost_0_4;
+          winnersother_winner_0_3 <= winnersother_winner_0_4;
+        end if;
+        if winnersother_cost_0_4_choice then
+          winnersother_cost_0_4 <= sums_sum_0_4;
+          winnersother_winner_0_4 <= 4;
+        else
+          winnersother_cost_0_4 <= winnersother_cost_0_5;
+          winnersother_winner_0_4 <= winnersother_winner_0_5;
+        end if;
+        if winnersother_cost_0_5_choice then
+          winnersother_cost_0_5 <= sums_sum_0_5;
+          winnersother_winner_0_5 <= 5;
+        else
+          winnersother_cost_0_5 <= winnersother_cost_0_6;
+          winnersother_winner_0_5 <= winnersother_winner_0_6;
+        end if;
+        if winnersother_cost_0_6_choice then
+          winnersother_cost_0_6 <= sums_sum_0_6;
+          winnersother_winner_0_6 <= 6;
+        else
+          winnersother_cost_0_6 <= winnersother_cost_0_7;
+          winnersother_winner_0_6 <= winnersother_winner_0_7;
+        end if;
+        if winnersother_cost_0_7_choice then
+          winnersother_cost_0_7 <= sums_sum_0_7;
+          winnersother_winner_0_7 <= 7;
+        else
+          winnersother_cost_0_7 <= winnersother_cost_0_8;
+          winnersother_winner_0_7 <= winnersother_winner_0_8;
+        end if;
+        if winnersother_cost_0_8_choice then
+          winnersother_cost_0_8 <= sums_sum_0_8;
+          winnersother_winner_0_8 <= 8;
+        else
+          winnersother_cost_0_8 <= winnersother_cost_0_9;
+          winnersother_winner_0_8 <= winnersother_winner_0_9;
+        end if;
+        if winnersother_cost_0_9_choice then
+          winnersother_cost_0_9 <= sums_sum_0_9;
+          winnersother_winner_0_9 <= 9;
+        else
+          winnersother_cost_0_9 <= winnersother_cost_0_10;
+          winnersother_winner_0_9 <= winnersother_winner_0_10;
+        end if;
+        if winnersother_cost_0_10_choice then
+          winnersother_cost_0_10 <= sums_sum_0_10;
+          winnersother_winner_0_10 <= 10;
+        else
+          winnersother_cost_0_10 <= winnersother_cost_0_11;
+          winnersother_winner_0_10 <= winnersother_winner_0_11;
+        end if;
+        if winnersother_cost_0_11_all then
+          winnersother_cost_0_11 <= sums_sum_0_11;
+          winnersother_winner_0_11 <= 11;
+        else
+          winnersother_cost_0_11 <= 0;
+          winnersother_winner_0_11 <= 0;
+        end if;
+        if winnersother_winner_0_0_choice then
+          winnersother_winner_0_0 <= 0;
+        else
+          winnersother_winner_0_0 <= winnersother_winner_0_1;
+        end if;
       end if;
       winnersother_winner_out_0 <= winnersother_winner_0_0;
       -- winnerswinner1
-      winnerswinner1_held_0_0_choice := sums_sum_0_0 when winnersmask_inside_0 else 1023;
-      winnerswinner1_held_0_1_choice := sums_sum_0_1 when winnersmask_inside_1 else 1023;
-      winnerswinner1_held_0_2_choice := sums_sum_0_2 when winnersmask_inside_2 else 1023;
-      winnerswinner1_held_0_3_choice := sums_sum_0_3 when winnersmask_inside_3 else 1023;
-      winnerswinner1_held_0_4_choice := sums_sum_0_4 when winnersmask_inside_4 else 1023;
-      winnerswinner1_held_0_5_choice := sums_sum_0_5 when winnersmask_inside_5 else 1023;
-      winnerswinner1_held_0_6_choice := sums_sum_0_6 when winnersmask_inside_6 else 1023;
-      winnerswinner1_held_0_7_choice := sums_sum_0_7 when winnersmask_inside_7 else 1023;
-      winnerswinner1_held_0_8_choice := sums_sum_0_8 when winnersmask_inside_8 else 1023;
-      winnerswinner1_held_0_9_choice := sums_sum_0_9 when winnersmask_inside_9 else 1023;
-      winnerswinner1_held_0_10_choice := sums_sum_0_10 when winnersmask_inside_10 else 1023;
-      winnerswinner1_held_0_11_choice := sums_sum_0_11 when winnersmask_inside_11 else 1023;
+      if winnersmask_inside_0 then
+        winnerswinner1_held_0_0_choice := sums_sum_0_0;
+      else
+        winnerswinner1_held_0_0_choice := 1023;
+      end if;
+      if winnersmask_inside_1 then
+        winnerswinner1_held_0_1_choice := sums_sum_0_1;
+      else
+        winnerswinner1_held_0_1_choice := 1023;
+      end if;
+      if winnersmask_inside_2 then
+        winnerswinner1_held_0_2_choice := sums_sum_0_2;
+      else
+        winnerswinner1_held_0_2_choice := 1023;
+      end if;
+      if winnersmask_inside_3 then
+        winnerswinner1_held_0_3_choice := sums_sum_0_3;
+      else
+        winnerswinner1_held_0_3_choice := 1023;
+      end if;
+      if winnersmask_inside_4 then
+        winnerswinner1_held_0_4_choice := sums_sum_0_4;
+      else
+        winnerswinner1_held_0_4_choice := 1023;
+      end if;
+      if winnersmask_inside_5 then
+        winnerswinner1_held_0_5_choice := sums_sum_0_5;
+      else
+        winnerswinner1_held_0_5_choice := 1023;
+      end if;
+      if winnersmask_inside_6 then
+        winnerswinner1_held_0_6_choice := sums_sum_0_6;
+      else
+        winnerswinner1_held_0_6_choice := 1023;
+      end if;
+      if winnersmask_inside_7 then
+        winnerswinner1_held_0_7_choice := sums_sum_0_7;
+      else
+        winnerswinner1_held_0_7_choice := 1023;
+      end if;
+      if winnersmask_inside_8 then
+        winnerswinner1_held_0_8_choice := sums_sum_0_8;
+      else
+        winnerswinner1_held_0_8_choice := 1023;
+      end if;
+      if winnersmask_inside_9 then
+        winnerswinner1_held_0_9_choice := sums_sum_0_9;
+      else
+        winnerswinner1_held_0_9_choice := 1023;
+      end if;
+      if winnersmask_inside_10 then
+        winnerswinner1_held_0_10_choice := sums_sum_0_10;
+      else
+        winnerswinner1_held_0_10_choice := 1023;
+      end if;
+      if winnersmask_inside_11 then
+        winnerswinner1_held_0_11_choice := sums_sum_0_11;
+      else
+        winnerswinner1_held_0_11_choice := 1023;
+      end if;
       winnerswinner1_best_cost_0_0_is_less := (winnerswinner1_held_0_1_choice - winnerswinner1_held_0_0_choice) < 0;
       winnerswinner1_best_cost_0_1_is_less := (winnerswinner1_held_0_3_choice - winnerswinner1_held_0_2_choice) < 0;
       winnerswinner1_best_cost_0_2_is_less := (winnerswinner1_held_0_5_choice - winnerswinner1_held_0_4_choice) < 0;
@@ -2647,36 +3795,7 @@ begin
       winnerswinner1_held_0_9 <= winnerswinner1_held_0_9_choice;
       winnerswinner1_held_0_10 <= winnerswinner1_held_0_10_choice;
       winnerswinner1_held_0_11 <= winnerswinner1_held_0_11_choice;
-      winnerswinner1_best_cost_0_0 <= winnerswinner1_held_0_1_choice when winnerswinner1_best_cost_0_0_is_less else
-        winnerswinner1_held_0_0_choice;
-      winnerswinner1_best_cost_0_1 <= winnerswinner1_held_0_3_choice when winnerswinner1_best_cost_0_1_is_less else
-        winnerswinner1_held_0_2_choice;
-      winnerswinner1_best_cost_0_2 <= winnerswinner1_held_0_5_choice when winnerswinner1_best_cost_0_2_is_less else
-        winnerswinner1_held_0_4_choice;
-      winnerswinner1_best_cost_0_3 <= winnerswinner1_held_0_7_choice when winnerswinner1_best_cost_0_3_is_less else
-        winnerswinner1_held_0_6_choice;
-      winnerswinner1_best_cost_0_4 <= winnerswinner1_held_0_9_choice when winnerswinner1_best_cost_0_4_is_less else
-        winnerswinner1_held_0_8_choice;
-      winnerswinner1_best_cost_0_5 <= winnerswinner1_held_0_11_choice when winnerswinner1_best_cost_0_5_is_less else
-        winnerswinner1_held_0_10_choice;
       winnerswinner1_best_index_0_0 <= winnerswinner1_best_cost_0_0_is_less;
-      winnerswinner1_best_index_0_1 <= 3 when winnerswinner1_best_cost_0_1_is_less else 2;
-      winnerswinner1_best_index_0_2 <= 5 when winnerswinner1_best_cost_0_2_is_less else 4;
-      winnerswinner1_best_index_0_3 <= 7 when winnerswinner1_best_cost_0_3_is_less else 6;
-      winnerswinner1_best_index_0_4 <= 9 when winnerswinner1_best_cost_0_4_is_less else 8;
-      winnerswinner1_best_index_0_5 <= 11 when winnerswinner1_best_cost_0_5_is_less else 10;
-      winnerswinner1_best_below_0_0 <= winnerswinner1_held_0_0_choice when winnerswinner1_best_cost_0_0_is_less else 0;
-      winnerswinner1_best_below_0_1 <= winnerswinner1_held_0_2_choice when winnerswinner1_best_cost_0_1_is_less else 0;
-      winnerswinner1_best_below_0_2 <= winnerswinner1_held_0_4_choice when winnerswinner1_best_cost_0_2_is_less else 0;
-      winnerswinner1_best_below_0_3 <= winnerswinner1_held_0_6_choice when winnerswinner1_best_cost_0_3_is_less else 0;
-      winnerswinner1_best_below_0_4 <= winnerswinner1_held_0_8_choice when winnerswinner1_best_cost_0_4_is_less else 0;
-      winnerswinner1_best_below_0_5 <= winnerswinner1_held_0_10_choice when winnerswinner1_best_cost_0_5_is_less else 0;
-      winnerswinner1_best_above_0_0 <= 0 when winnerswinner1_best_cost_0_0_is_less else winnerswinner1_held_0_1_choice;
-      winnerswinner1_best_above_0_1 <= 0 when winnerswinner1_best_cost_0_1_is_less else winnerswinner1_held_0_3_choice;
-      winnerswinner1_best_above_0_2 <= 0 when winnerswinner1_best_cost_0_2_is_less else winnerswinner1_held_0_5_choice;
-      winnerswinner1_best_above_0_3 <= 0 when winnerswinner1_best_cost_0_3_is_less else winnerswinner1_held_0_7_choice;
-      winnerswinner1_best_above_0_4 <= 0 when winnerswinner1_best_cost_0_4_is_less else winnerswinner1_held_0_9_choice;
-      winnerswinner1_best_above_0_5 <= 0 when winnerswinner1_best_cost_0_5_is_less else winnerswinner1_held_0_11_choice;
       winnerswinner1_best_place_0_2 <= winnerswinner1_best_cost_0_2_is_less;
       winnerswinner1_best_place_0_4 <= winnerswinner1_best_cost_0_4_is_less;
       winnerswinner1_best_late_cost_0_0 <= winnerswinner1_best_cost_0_0;
@@ -2700,73 +3819,167 @@ begin
       winnerswinner1_tag_output_column <= sums_tag_output_column;
       winnerswinner1_tag_start_of_frame <= sums_tag_start_of_frame;
       winnerswinner1_tag_end_of_line <= sums_tag_end_of_line;
+      if winnerswinner1_best_cost_0_0_is_less then
+        winnerswinner1_best_cost_0_0 <= winnerswinner1_held_0_1_choice;
+        winnerswinner1_best_below_0_0 <= winnerswinner1_held_0_0_choice;
+        winnerswinner1_best_above_0_0 <= 0;
+      else
+        winnerswinner1_best_cost_0_0 <= winnerswinner1_held_0_0_choice;
+        winnerswinner1_best_below_0_0 <= 0;
+        winnerswinner1_best_above_0_0 <= winnerswinner1_held_0_1_choice;
+      end if;
+      if winnerswinner1_best_cost_0_1_is_less then
+        winnerswinner1_best_cost_0_1 <= winnerswinner1_held_0_3_choice;
+        winnerswinner1_best_index_0_1 <= 3;
+        winnerswinner1_best_below_0_1 <= winnerswinner1_held_0_2_choice;
+        winnerswinner1_best_above_0_1 <= 0;
+      else
+        winnerswinner1_best_cost_0_1 <= winnerswinner1_held_0_2_choice;
+        winnerswinner1_best_index_0_1 <= 2;
+        winnerswinner1_best_below_0_1 <= 0;
+        winnerswinner1_best_above_0_1 <= winnerswinner1_held_0_3_choice;
+      end if;
+      if winnerswinner1_best_cost_0_2_is_less then
+        winnerswinner1_best_cost_0_2 <= winnerswinner1_held_0_5_choice;
+        winnerswinner1_best_index_0_2 <= 5;
+        winnerswinner1_best_below_0_2 <= winnerswinner1_held_0_4_choice;
+        winnerswinner1_best_above_0_2 <= 0;
+      else
+        winnerswinner1_best_cost_0_2 <= winnerswinner1_held_0_4_choice;
+        winnerswinner1_best_index_0_2 <= 4;
+        winnerswinner1_best_below_0_2 <= 0;
+        winnerswinner1_best_above_0_2 <= winnerswinner1_held_0_5_choice;
+      end if;
+      if winnerswinner1_best_cost_0_3_is_less then
+        winnerswinner1_best_cost_0_3 <= winnerswinner1_held_0_7_choice;
+        winnerswinner1_best_index_0_3 <= 7;
+        winnerswinner1_best_below_0_3 <= winnerswinner1_held_0_6_choice;
+        winnerswinner1_best_above_0_3 <= 0;
+      else
+        winnerswinner1_best_cost_0_3 <= winnerswinner1_held_0_6_choice;
+        winnerswinner1_best_index_0_3 <= 6;
+        winnerswinner1_best_below_0_3 <= 0;
+        winnerswinner1_best_above_0_3 <= winnerswinner1_held_0_7_choice;
+      end if;
+      if winnerswinner1_best_cost_0_4_is_less then
+        winnerswinner1_best_cost_0_4 <= winnerswinner1_held_0_9_choice;
+        winnerswinner1_best_index_0_4 <= 9;
+        winnerswinner1_best_below_0_4 <= winnerswinner1_held_0_8_choice;
+        winnerswinner1_best_above_0_4 <= 0;
+      else
+        winnerswinner1_best_cost_0_4 <= winnerswinner1_held_0_8_choice;
+        winnerswinner1_best_index_0_4 <= 8;
+        winnerswinner1_best_below_0_4 <= 0;
+        winnerswinner1_best_above_0_4 <= winnerswinner1_held_0_9_choice;
+      end if;
+      if winnerswinner1_best_cost_0_5_is_less then
+        winnerswinner1_best_cost_0_5 <= winnerswinner1_held_0_11_choice;
+        winnerswinner1_best_index_0_5 <= 11;
+        winnerswinner1_best_below_0_5 <= winnerswinner1_held_0_10_choice;
+        winnerswinner1_best_above_0_5 <= 0;
+      else
+        winnerswinner1_best_cost_0_5 <= winnerswinner1_held_0_10_choice;
+        winnerswinner1_best_index_0_5 <= 10;
+        winnerswinner1_best_below_0_5 <= 0;
+        winnerswinner1_best_above_0_5 <= winnerswinner1_held_0_11_choice;
+      end if;
       -- winnerswinner2
       winnerswinner2_best_cost_0_0_is_less := (winnerswinner1_best_cost_0_1 - winnerswinner1_best_cost_0_0) < 0;
       winnerswinner2_best_cost_0_1_is_less := (winnerswinner1_best_cost_0_3 - winnerswinner1_best_cost_0_2) < 0;
       winnerswinner2_best_cost_0_2_is_less := (winnerswinner1_best_cost_0_5 - winnerswinner1_best_cost_0_4) < 0;
       winnerswinner2_best_below_0_0_is_equal := winnerswinner1_best_index_0_1 = 2;
-      winnerswinner2_best_below_0_0_choice := winnerswinner1_held_0_1 when winnerswinner2_best_below_0_0_is_equal else
-        winnerswinner1_best_below_0_1;
+      if winnerswinner2_best_below_0_0_is_equal then
+        winnerswinner2_best_below_0_0_choice := winnerswinner1_held_0_1;
+      else
+        winnerswinner2_best_below_0_0_choice := winnerswinner1_best_below_0_1;
+      end if;
       winnerswinner2_best_below_0_1_is_equal := winnerswinner1_best_index_0_3 = 6;
-      winnerswinner2_best_below_0_1_choice := winnerswinner1_held_0_5 when winnerswinner2_best_below_0_1_is_equal else
-        winnerswinner1_best_below_0_3;
+      if winnerswinner2_best_below_0_1_is_equal then
+        winnerswinner2_best_below_0_1_choice := winnerswinner1_held_0_5;
+      else
+        winnerswinner2_best_below_0_1_choice := winnerswinner1_best_below_0_3;
+      end if;
       winnerswinner2_best_below_0_2_is_equal := (winnerswinner1_best_index_0_5 mod 4) = 2;
-      winnerswinner2_best_below_0_2_choice := winnerswinner1_held_0_9 when ((winnerswinner1_best_index_0_5 / 8) = 1)
-        and winnerswinner2_best_below_0_2_is_equal else winnerswinner1_best_below_0_5;
-      winnerswinner2_best_above_0_0_choice := winnerswinner1_held_0_2 when winnerswinner1_best_index_0_0 else
-        winnerswinner1_best_above_0_0;
-      winnerswinner2_best_above_0_1_choice := winnerswinner1_held_0_6 when winnerswinner1_best_place_0_2 else
-        winnerswinner1_best_above_0_2;
-      winnerswinner2_best_above_0_2_choice := winnerswinner1_held_0_10 when winnerswinner1_best_place_0_4 else
-        winnerswinner1_best_above_0_4;
-      winnerswinner2_best_second_0_0_choice := 1023 when winnerswinner2_best_place_0_0 else
-        winnerswinner1_best_late_cost_0_1;
-      winnerswinner2_best_second_0_0_choice_2 := winnerswinner1_best_but_first_0_1 when winnerswinner2_best_at_end_0_0
-        else winnerswinner2_best_second_0_0_choice;
-      winnerswinner2_best_second_0_0_choice_3 := winnerswinner1_best_late_cost_0_0 when winnerswinner2_best_place_0_0
-        else 1023;
-      winnerswinner2_best_second_0_0_choice_4 := winnerswinner1_best_but_last_0_0 when winnerswinner2_best_at_start_0_0
-        else winnerswinner2_best_second_0_0_choice_3;
-      winnerswinner2_best_second_0_1_choice := 1023 when winnerswinner2_best_place_0_1 else
-        winnerswinner1_best_late_cost_0_3;
-      winnerswinner2_best_second_0_1_choice_2 := winnerswinner1_best_but_first_0_3 when winnerswinner2_best_at_end_0_1
-        else winnerswinner2_best_second_0_1_choice;
-      winnerswinner2_best_second_0_1_choice_3 := winnerswinner1_best_late_cost_0_2 when winnerswinner2_best_place_0_1
-        else 1023;
-      winnerswinner2_best_second_0_1_choice_4 := winnerswinner1_best_but_last_0_2 when winnerswinner2_best_at_start_0_1
-        else winnerswinner2_best_second_0_1_choice_3;
-      winnerswinner2_best_second_0_2_choice := 1023 when winnerswinner2_best_place_0_2 else
-        winnerswinner1_best_late_cost_0_5;
-      winnerswinner2_best_second_0_2_choice_2 := winnerswinner1_best_but_first_0_5 when winnerswinner2_best_at_end_0_2
-        else winnerswinner2_best_second_0_2_choice;
-      winnerswinner2_best_second_0_2_choice_3 := winnerswinner1_best_late_cost_0_4 when winnerswinner2_best_place_0_2
-        else 1023;
-      winnerswinner2_best_second_0_2_choice_4 := winnerswinner1_best_but_last_0_4 when winnerswinner2_best_at_start_0_2
-        else winnerswinner2_best_second_0_2_choice_3;
-      winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1 when winnerswinner2_best_cost_0_0_is_less else
-        winnerswinner1_best_cost_0_0;
-      winnerswinner2_best_cost_0_1 <= winnerswinner1_best_cost_0_3 when winnerswinner2_best_cost_0_1_is_less else
-        winnerswinner1_best_cost_0_2;
-      winnerswinner2_best_cost_0_2 <= winnerswinner1_best_cost_0_5 when winnerswinner2_best_cost_0_2_is_less else
-        winnerswinner1_best_cost_0_4;
-      winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_best_cost_0_0_is_less else
-        as_number(winnerswinner1_best_index_0_0);
-      winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3 when winnerswinner2_best_cost_0_1_is_less else
-        winnerswinner1_best_index_0_2;
-      winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_5 when winnerswinner2_best_cost_0_2_is_less else
-        winnerswinner1_best_index_0_4;
-      winnerswinner2_best_below_0_0 <= winnerswinner2_best_below_0_0_choice when winnerswinner2_best_cost_0_0_is_less
-        else winnerswinner1_best_below_0_0;
-      winnerswinner2_best_below_0_1 <= winnerswinner2_best_below_0_1_choice when winnerswinner2_best_cost_0_1_is_less
-        else winnerswinner1_best_below_0_2;
-      winnerswinner2_best_below_0_2 <= winnerswinner2_best_below_0_2_choice when winnerswinner2_best_cost_0_2_is_less
-        else winnerswinner1_best_below_0_4;
-      winnerswinner2_best_above_0_0 <= winnerswinner1_best_above_0_1 when winnerswinner2_best_cost_0_0_is_less else
-        winnerswinner2_best_above_0_0_choice;
-      winnerswinner2_best_above_0_1 <= winnerswinner1_best_above_0_3 when winnerswinner2_best_cost_0_1_is_less else
-        winnerswinner2_best_above_0_1_choice;
-      winnerswinner2_best_above_0_2 <= winnerswinner1_best_above_0_5 when winnerswinner2_best_cost_0_2_is_less else
-        winnerswinner2_best_above_0_2_choice;
+      if ((winnerswinner1_best_index_0_5 / 8) = 1) and winnerswinner2_best_below_0_2_is_equal then
+        winnerswinner2_best_below_0_2_choice := winnerswinner1_held_0_9;
+      else
+        winnerswinner2_best_below_0_2_choice := winnerswinner1_best_below_0_5;
+      end if;
+      if winnerswinner1_best_index_0_0 then
+        winnerswinner2_best_above_0_0_choice := winnerswinner1_held_0_2;
+      else
+        winnerswinner2_best_above_0_0_choice := winnerswinner1_best_above_0_0;
+      end if;
+      if winnerswinner1_best_place_0_2 then
+        winnerswinner2_best_above_0_1_choice := winnerswinner1_held_0_6;
+      else
+        winnerswinner2_best_above_0_1_choice := winnerswinner1_best_above_0_2;
+      end if;
+      if winnerswinner1_best_place_0_4 then
+        winnerswinner2_best_above_0_2_choice := winnerswinner1_held_0_10;
+      else
+        winnerswinner2_best_above_0_2_choice := winnerswinner1_best_above_0_4;
+      end if;
+      if winnerswinner2_best_place_0_0 then
+        winnerswinner2_best_second_0_0_choice := 1023;
+      else
+        winnerswinner2_best_second_0_0_choice := winnerswinner1_best_late_cost_0_1;
+      end if;
+      if winnerswinner2_best_at_end_0_0 then
+        winnerswinner2_best_second_0_0_choice_2 := winnerswinner1_best_but_first_0_1;
+      else
+        winnerswinner2_best_second_0_0_choice_2 := winnerswinner2_best_second_0_0_choice;
+      end if;
+      if winnerswinner2_best_place_0_0 then
+        winnerswinner2_best_second_0_0_choice_3 := winnerswinner1_best_late_cost_0_0;
+      else
+        winnerswinner2_best_second_0_0_choice_3 := 1023;
+      end if;
+      if winnerswinner2_best_at_start_0_0 then
+        winnerswinner2_best_second_0_0_choice_4 := winnerswinner1_best_but_last_0_0;
+      else
+        winnerswinner2_best_second_0_0_choice_4 := winnerswinner2_best_second_0_0_choice_3;
+      end if;
+      if winnerswinner2_best_place_0_1 then
+        winnerswinner2_best_second_0_1_choice := 1023;
+      else
+        winnerswinner2_best_second_0_1_choice := winnerswinner1_best_late_cost_0_3;
+      end if;
+      if winnerswinner2_best_at_end_0_1 then
+        winnerswinner2_best_second_0_1_choice_2 := winnerswinner1_best_but_first_0_3;
+      else
+        winnerswinner2_best_second_0_1_choice_2 := winnerswinner2_best_second_0_1_choice;
+      end if;
+      if winnerswinner2_best_place_0_1 then
+        winnerswinner2_best_second_0_1_choice_3 := winnerswinner1_best_late_cost_0_2;
+      else
+        winnerswinner2_best_second_0_1_choice_3 := 1023;
+      end if;
+      if winnerswinner2_best_at_start_0_1 then
+        winnerswinner2_best_second_0_1_choice_4 := winnerswinner1_best_but_last_0_2;
+      else
+        winnerswinner2_best_second_0_1_choice_4 := winnerswinner2_best_second_0_1_choice_3;
+      end if;
+      if winnerswinner2_best_place_0_2 then
+        winnerswinner2_best_second_0_2_choice := 1023;
+      else
+        winnerswinner2_best_second_0_2_choice := winnerswinner1_best_late_cost_0_5;
+      end if;
+      if winnerswinner2_best_at_end_0_2 then
+        winnerswinner2_best_second_0_2_choice_2 := winnerswinner1_best_but_first_0_5;
+      else
+        winnerswinner2_best_second_0_2_choice_2 := winnerswinner2_best_second_0_2_choice;
+      end if;
+      if winnerswinner2_best_place_0_2 then
+        winnerswinner2_best_second_0_2_choice_3 := winnerswinner1_best_late_cost_0_4;
+      else
+        winnerswinner2_best_second_0_2_choice_3 := 1023;
+      end if;
+      if winnerswinner2_best_at_start_0_2 then
+        winnerswinner2_best_second_0_2_choice_4 := winnerswinner1_best_but_last_0_4;
+      else
+        winnerswinner2_best_second_0_2_choice_4 := winnerswinner2_best_second_0_2_choice_3;
+      end if;
       winnerswinner2_best_first_0_1 <= winnerswinner1_held_0_4;
       winnerswinner2_best_first_0_2 <= winnerswinner1_held_0_8;
       winnerswinner2_best_last_0_0 <= winnerswinner1_held_0_3;
@@ -2789,54 +4002,115 @@ begin
       winnerswinner2_best_late_cost_0_0 <= winnerswinner2_best_cost_0_0;
       winnerswinner2_best_late_cost_0_1 <= winnerswinner2_best_cost_0_1;
       winnerswinner2_best_late_cost_0_2 <= winnerswinner2_best_cost_0_2;
-      winnerswinner2_best_second_0_0 <= winnerswinner2_best_second_0_0_choice_2 when
-        (winnerswinner2_best_second_0_0_choice_2 - winnerswinner2_best_second_0_0_choice_4) < 0 else
-        winnerswinner2_best_second_0_0_choice_4;
-      winnerswinner2_best_second_0_1 <= winnerswinner2_best_second_0_1_choice_2 when
-        (winnerswinner2_best_second_0_1_choice_2 - winnerswinner2_best_second_0_1_choice_4) < 0 else
-        winnerswinner2_best_second_0_1_choice_4;
-      winnerswinner2_best_second_0_2 <= winnerswinner2_best_second_0_2_choice_2 when
-        (winnerswinner2_best_second_0_2_choice_2 - winnerswinner2_best_second_0_2_choice_4) < 0 else
-        winnerswinner2_best_second_0_2_choice_4;
-      winnerswinner2_best_but_first_0_1 <= winnerswinner1_best_late_cost_0_3 when (winnerswinner1_best_late_cost_0_3 -
-        winnerswinner1_best_but_first_0_2) < 0 else winnerswinner1_best_but_first_0_2;
-      winnerswinner2_best_but_first_0_2 <= winnerswinner1_best_late_cost_0_5 when (winnerswinner1_best_late_cost_0_5 -
-        winnerswinner1_best_but_first_0_4) < 0 else winnerswinner1_best_but_first_0_4;
-      winnerswinner2_best_but_last_0_0 <= winnerswinner1_best_but_last_0_1 when (winnerswinner1_best_but_last_0_1 -
-        winnerswinner1_best_late_cost_0_0) < 0 else winnerswinner1_best_late_cost_0_0;
-      winnerswinner2_best_but_last_0_1 <= winnerswinner1_best_but_last_0_3 when (winnerswinner1_best_but_last_0_3 -
-        winnerswinner1_best_late_cost_0_2) < 0 else winnerswinner1_best_late_cost_0_2;
       winnerswinner2_tag_valid <= winnerswinner1_tag_valid;
       winnerswinner2_tag_map_column <= winnerswinner1_tag_map_column;
       winnerswinner2_tag_output_column <= winnerswinner1_tag_output_column;
       winnerswinner2_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
       winnerswinner2_tag_end_of_line <= winnerswinner1_tag_end_of_line;
+      if winnerswinner2_best_cost_0_0_is_less then
+        winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_1;
+        winnerswinner2_best_index_0_0 <= winnerswinner1_best_index_0_1;
+        winnerswinner2_best_below_0_0 <= winnerswinner2_best_below_0_0_choice;
+        winnerswinner2_best_above_0_0 <= winnerswinner1_best_above_0_1;
+      else
+        winnerswinner2_best_cost_0_0 <= winnerswinner1_best_cost_0_0;
+        winnerswinner2_best_index_0_0 <= as_number(winnerswinner1_best_index_0_0);
+        winnerswinner2_best_below_0_0 <= winnerswinner1_best_below_0_0;
+        winnerswinner2_best_above_0_0 <= winnerswinner2_best_above_0_0_choice;
+      end if;
+      if winnerswinner2_best_cost_0_1_is_less then
+        winnerswinner2_best_cost_0_1 <= winnerswinner1_best_cost_0_3;
+        winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_3;
+        winnerswinner2_best_below_0_1 <= winnerswinner2_best_below_0_1_choice;
+        winnerswinner2_best_above_0_1 <= winnerswinner1_best_above_0_3;
+      else
+        winnerswinner2_best_cost_0_1 <= winnerswinner1_best_cost_0_2;
+        winnerswinner2_best_index_0_1 <= winnerswinner1_best_index_0_2;
+        winnerswinner2_best_below_0_1 <= winnerswinner1_best_below_0_2;
+        winnerswinner2_best_above_0_1 <= winnerswinner2_best_above_0_1_choice;
+      end if;
+      if winnerswinner2_best_cost_0_2_is_less then
+        winnerswinner2_best_cost_0_2 <= winnerswinner1_best_cost_0_5;
+        winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_5;
+        winnerswinner2_best_below_0_2 <= winnerswinner2_best_below_0_2_choice;
+        winnerswinner2_best_above_0_2 <= winnerswinner1_best_above_0_5;
+      else
+        winnerswinner2_best_cost_0_2 <= winnerswinner1_best_cost_0_4;
+        winnerswinner2_best_index_0_2 <= winnerswinner1_best_index_0_4;
+        winnerswinner2_best_below_0_2 <= winnerswinner1_best_below_0_4;
+        winnerswinner2_best_above_0_2 <= winnerswinner2_best_above_0_2_choice;
+      end if;
+      if (winnerswinner2_best_second_0_0_choice_2 - winnerswinner2_best_second_0_0_choice_4) < 0 then
+        winnerswinner2_best_second_0_0 <= winnerswinner2_best_second_0_0_choice_2;
+      else
+        winnerswinner2_best_second_0_0 <= winnerswinner2_best_second_0_0_choice_4;
+      end if;
+      if (winnerswinner2_best_second_0_1_choice_2 - winnerswinner2_best_second_0_1_choice_4) < 0 then
+        winnerswinner2_best_second_0_1 <= winnerswinner2_best_second_0_1_choice_2;
+      else
+        winnerswinner2_best_second_0_1 <= winnerswinner2_best_second_0_1_choice_4;
+      end if;
+      if (winnerswinner2_best_second_0_2_choice_2 - winnerswinner2_best_second_0_2_choice_4) < 0 then
+        winnerswinner2_best_second_0_2 <= winnerswinner2_best_second_0_2_choice_2;
+      else
+        winnerswinner2_best_second_0_2 <= winnerswinner2_best_second_0_2_choice_4;
+      end if;
+      if (winnerswinner1_best_late_cost_0_3 - winnerswinner1_best_but_first_0_2) < 0 then
+        winnerswinner2_best_but_first_0_1 <= winnerswinner1_best_late_cost_0_3;
+      else
+        winnerswinner2_best_but_first_0_1 <= winnerswinner1_best_but_first_0_2;
+      end if;
+      if (winnerswinner1_best_late_cost_0_5 - winnerswinner1_best_but_first_0_4) < 0 then
+        winnerswinner2_best_but_first_0_2 <= winnerswinner1_best_late_cost_0_5;
+      else
+        winnerswinner2_best_but_first_0_2 <= winnerswinner1_best_but_first_0_4;
+      end if;
+      if (winnerswinner1_best_but_last_0_1 - winnerswinner1_best_late_cost_0_0) < 0 then
+        winnerswinner2_best_but_last_0_0 <= winnerswinner1_best_but_last_0_1;
+      else
+        winnerswinner2_best_but_last_0_0 <= winnerswinner1_best_late_cost_0_0;
+      end if;
+      if (winnerswinner1_best_but_last_0_3 - winnerswinner1_best_late_cost_0_2) < 0 then
+        winnerswinner2_best_but_last_0_1 <= winnerswinner1_best_but_last_0_3;
+      else
+        winnerswinner2_best_but_last_0_1 <= winnerswinner1_best_late_cost_0_2;
+      end if;
       -- winnerswinner3
       winnerswinner3_best_cost_0_0_is_less := (winnerswinner2_best_cost_0_1 - winnerswinner2_best_cost_0_0) < 0;
       winnerswinner3_best_below_0_0_is_equal := winnerswinner2_best_index_0_1 = 4;
-      winnerswinner3_best_below_0_0_choice := winnerswinner2_best_last_0_0 when winnerswinner3_best_below_0_0_is_equal
-        else winnerswinner2_best_below_0_1;
+      if winnerswinner3_best_below_0_0_is_equal then
+        winnerswinner3_best_below_0_0_choice := winnerswinner2_best_last_0_0;
+      else
+        winnerswinner3_best_below_0_0_choice := winnerswinner2_best_below_0_1;
+      end if;
       winnerswinner3_best_above_0_0_is_equal := winnerswinner2_best_index_0_0 = 3;
-      winnerswinner3_best_above_0_0_choice := winnerswinner2_best_first_0_1 when winnerswinner3_best_above_0_0_is_equal
-        else winnerswinner2_best_above_0_0;
-      winnerswinner3_best_second_0_0_choice := winnerswinner2_best_second_0_1 when winnerswinner3_best_place_0_0 else
-        winnerswinner2_best_late_cost_0_1;
-      winnerswinner3_best_second_0_0_choice_2 := winnerswinner2_best_but_first_0_1 when winnerswinner3_best_at_end_0_0
-        else winnerswinner3_best_second_0_0_choice;
-      winnerswinner3_best_second_0_0_choice_3 := winnerswinner2_best_late_cost_0_0 when winnerswinner3_best_place_0_0
-        else winnerswinner2_best_second_0_0;
-      winnerswinner3_best_second_0_0_choice_4 := winnerswinner2_best_but_last_0_0 when winnerswinner3_best_at_start_0_0
-        else winnerswinner3_best_second_0_0_choice_3;
-      winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_1 when winnerswinner3_best_cost_0_0_is_less else
-        winnerswinner2_best_cost_0_0;
-      winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1 when winnerswinner3_best_cost_0_0_is_less else
-        winnerswinner2_best_index_0_0;
+      if winnerswinner3_best_above_0_0_is_equal then
+        winnerswinner3_best_above_0_0_choice := winnerswinner2_best_first_0_1;
+      else
+        winnerswinner3_best_above_0_0_choice := winnerswinner2_best_above_0_0;
+      end if;
+      if winnerswinner3_best_place_0_0 then
+        winnerswinner3_best_second_0_0_choice := winnerswinner2_best_second_0_1;
+      else
+        winnerswinner3_best_second_0_0_choice := winnerswinner2_best_late_cost_0_1;
+      end if;
+      if winnerswinner3_best_at_end_0_0 then
+        winnerswinner3_best_second_0_0_choice_2 := winnerswinner2_best_but_first_0_1;
+      else
+        winnerswinner3_best_second_0_0_choice_2 := winnerswinner3_best_second_0_0_choice;
+      end if;
+      if winnerswinner3_best_place_0_0 then
+        winnerswinner3_best_second_0_0_choice_3 := winnerswinner2_best_late_cost_0_0;
+      else
+        winnerswinner3_best_second_0_0_choice_3 := winnerswinner2_best_second_0_0;
+      end if;
+      if winnerswinner3_best_at_start_0_0 then
+        winnerswinner3_best_second_0_0_choice_4 := winnerswinner2_best_but_last_0_0;
+      else
+        winnerswinner3_best_second_0_0_choice_4 := winnerswinner3_best_second_0_0_choice_3;
+      end if;
       winnerswinner3_best_index_0_1 <= winnerswinner2_best_index_0_2;
-      winnerswinner3_best_below_0_0 <= winnerswinner3_best_below_0_0_choice when winnerswinner3_best_cost_0_0_is_less
-        else winnerswinner2_best_below_0_0;
       winnerswinner3_best_below_0_1 <= winnerswinner2_best_below_0_2;
-      winnerswinner3_best_above_0_0 <= winnerswinner2_best_above_0_1 when winnerswinner3_best_cost_0_0_is_less else
-        winnerswinner3_best_above_0_0_choice;
       winnerswinner3_best_above_0_1 <= winnerswinner2_best_above_0_2;
       winnerswinner3_best_first_0_1 <= winnerswinner2_best_first_0_2;
       winnerswinner3_best_last_0_0 <= winnerswinner2_best_last_0_1;
@@ -2847,56 +4121,95 @@ begin
         winnerswinner3_best_above_0_0_is_equal;
       winnerswinner3_best_late_cost_0_0 <= winnerswinner3_best_cost_0_0;
       winnerswinner3_best_late_cost_0_1 <= winnerswinner2_best_late_cost_0_2;
-      winnerswinner3_best_second_0_0 <= winnerswinner3_best_second_0_0_choice_2 when
-        (winnerswinner3_best_second_0_0_choice_2 - winnerswinner3_best_second_0_0_choice_4) < 0 else
-        winnerswinner3_best_second_0_0_choice_4;
       winnerswinner3_best_second_0_1 <= winnerswinner2_best_second_0_2;
       winnerswinner3_best_but_first_0_1 <= winnerswinner2_best_but_first_0_2;
-      winnerswinner3_best_but_last_0_0 <= winnerswinner2_best_but_last_0_1 when (winnerswinner2_best_but_last_0_1 -
-        winnerswinner2_best_late_cost_0_0) < 0 else winnerswinner2_best_late_cost_0_0;
       winnerswinner3_tag_valid <= winnerswinner2_tag_valid;
       winnerswinner3_tag_map_column <= winnerswinner2_tag_map_column;
       winnerswinner3_tag_output_column <= winnerswinner2_tag_output_column;
       winnerswinner3_tag_start_of_frame <= winnerswinner2_tag_start_of_frame;
       winnerswinner3_tag_end_of_line <= winnerswinner2_tag_end_of_line;
+      if winnerswinner3_best_cost_0_0_is_less then
+        winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_1;
+        winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_1;
+        winnerswinner3_best_below_0_0 <= winnerswinner3_best_below_0_0_choice;
+        winnerswinner3_best_above_0_0 <= winnerswinner2_best_above_0_1;
+      else
+        winnerswinner3_best_cost_0_0 <= winnerswinner2_best_cost_0_0;
+        winnerswinner3_best_index_0_0 <= winnerswinner2_best_index_0_0;
+        winnerswinner3_best_below_0_0 <= winnerswinner2_best_below_0_0;
+        winnerswinner3_best_above_0_0 <= winnerswinner3_best_above_0_0_choice;
+      end if;
+      if (winnerswinner3_best_second_0_0_choice_2 - winnerswinner3_best_second_0_0_choice_4) < 0 then
+        winnerswinner3_best_second_0_0 <= winnerswinner3_best_second_0_0_choice_2;
+      else
+        winnerswinner3_best_second_0_0 <= winnerswinner3_best_second_0_0_choice_4;
+      end if;
+      if (winnerswinner2_best_but_last_0_1 - winnerswinner2_best_late_cost_0_0) < 0 then
+        winnerswinner3_best_but_last_0_0 <= winnerswinner2_best_but_last_0_1;
+      else
+        winnerswinner3_best_but_last_0_0 <= winnerswinner2_best_late_cost_0_0;
+      end if;
       -- winnerswinner4
       winnerswinner4_best_cost_0_0_is_less := (winnerswinner2_best_late_cost_0_2 - winnerswinner3_best_cost_0_0) < 0;
       winnerswinner4_best_below_0_0_is_equal := (winnerswinner3_best_index_0_1 mod 4) = 0;
-      winnerswinner4_best_below_0_0_choice := winnerswinner3_best_last_0_0 when ((winnerswinner3_best_index_0_1 / 8) =
-        1) and winnerswinner4_best_below_0_0_is_equal else winnerswinner3_best_below_0_1;
+      if ((winnerswinner3_best_index_0_1 / 8) = 1) and winnerswinner4_best_below_0_0_is_equal then
+        winnerswinner4_best_below_0_0_choice := winnerswinner3_best_last_0_0;
+      else
+        winnerswinner4_best_below_0_0_choice := winnerswinner3_best_below_0_1;
+      end if;
       winnerswinner4_best_above_0_0_is_equal := winnerswinner3_best_index_0_0 = 7;
-      winnerswinner4_best_above_0_0_choice := winnerswinner3_best_first_0_1 when winnerswinner4_best_above_0_0_is_equal
-        else winnerswinner3_best_above_0_0;
-      winnerswinner4_best_second_0_0_choice := winnerswinner3_best_second_0_1 when winnerswinner4_best_place_0_0 else
-        winnerswinner3_best_late_cost_0_1;
-      winnerswinner4_best_second_0_0_choice_2 := winnerswinner3_best_but_first_0_1 when winnerswinner4_best_at_end_0_0
-        else winnerswinner4_best_second_0_0_choice;
-      winnerswinner4_best_second_0_0_choice_3 := winnerswinner3_best_late_cost_0_0 when winnerswinner4_best_place_0_0
-        else winnerswinner3_best_second_0_0;
-      winnerswinner4_best_second_0_0_choice_4 := winnerswinner3_best_but_last_0_0 when winnerswinner4_best_at_start_0_0
-        else winnerswinner4_best_second_0_0_choice_3;
-      winnerswinner4_best_cost_0_0 <= winnerswinner2_best_late_cost_0_2 when winnerswinner4_best_cost_0_0_is_less else
-        winnerswinner3_best_cost_0_0;
-      winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_1 when winnerswinner4_best_cost_0_0_is_less else
-        winnerswinner3_best_index_0_0;
-      winnerswinner4_best_below_0_0 <= winnerswinner4_best_below_0_0_choice when winnerswinner4_best_cost_0_0_is_less
-        else winnerswinner3_best_below_0_0;
-      winnerswinner4_best_above_0_0 <= winnerswinner3_best_above_0_1 when winnerswinner4_best_cost_0_0_is_less else
-        winnerswinner4_best_above_0_0_choice;
+      if winnerswinner4_best_above_0_0_is_equal then
+        winnerswinner4_best_above_0_0_choice := winnerswinner3_best_first_0_1;
+      else
+        winnerswinner4_best_above_0_0_choice := winnerswinner3_best_above_0_0;
+      end if;
+      if winnerswinner4_best_place_0_0 then
+        winnerswinner4_best_second_0_0_choice := winnerswinner3_best_second_0_1;
+      else
+        winnerswinner4_best_second_0_0_choice := winnerswinner3_best_late_cost_0_1;
+      end if;
+      if winnerswinner4_best_at_end_0_0 then
+        winnerswinner4_best_second_0_0_choice_2 := winnerswinner3_best_but_first_0_1;
+      else
+        winnerswinner4_best_second_0_0_choice_2 := winnerswinner4_best_second_0_0_choice;
+      end if;
+      if winnerswinner4_best_place_0_0 then
+        winnerswinner4_best_second_0_0_choice_3 := winnerswinner3_best_late_cost_0_0;
+      else
+        winnerswinner4_best_second_0_0_choice_3 := winnerswinner3_best_second_0_0;
+      end if;
+      if winnerswinner4_best_at_start_0_0 then
+        winnerswinner4_best_second_0_0_choice_4 := winnerswinner3_best_but_last_0_0;
+      else
+        winnerswinner4_best_second_0_0_choice_4 := winnerswinner4_best_second_0_0_choice_3;
+      end if;
       winnerswinner4_best_place_0_0 <= winnerswinner4_best_cost_0_0_is_less;
       winnerswinner4_best_at_start_0_0 <= winnerswinner4_best_cost_0_0_is_less and ((winnerswinner3_best_index_0_1 / 8)
         = 1) and winnerswinner4_best_below_0_0_is_equal;
       winnerswinner4_best_at_end_0_0 <= ((winnerswinner2_best_late_cost_0_2 - winnerswinner3_best_cost_0_0) >= 0) and
         winnerswinner4_best_above_0_0_is_equal;
       winnerswinner4_best_late_cost_0_0 <= winnerswinner4_best_cost_0_0;
-      winnerswinner4_best_second_0_0 <= winnerswinner4_best_second_0_0_choice_2 when
-        (winnerswinner4_best_second_0_0_choice_2 - winnerswinner4_best_second_0_0_choice_4) < 0 else
-        winnerswinner4_best_second_0_0_choice_4;
       winnerswinner4_tag_valid <= winnerswinner3_tag_valid;
       winnerswinner4_tag_map_column <= winnerswinner3_tag_map_column;
       winnerswinner4_tag_output_column <= winnerswinner3_tag_output_column;
       winnerswinner4_tag_start_of_frame <= winnerswinner3_tag_start_of_frame;
       winnerswinner4_tag_end_of_line <= winnerswinner3_tag_end_of_line;
+      if winnerswinner4_best_cost_0_0_is_less then
+        winnerswinner4_best_cost_0_0 <= winnerswinner2_best_late_cost_0_2;
+        winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_1;
+        winnerswinner4_best_below_0_0 <= winnerswinner4_best_below_0_0_choice;
+        winnerswinner4_best_above_0_0 <= winnerswinner3_best_above_0_1;
+      else
+        winnerswinner4_best_cost_0_0 <= winnerswinner3_best_cost_0_0;
+        winnerswinner4_best_index_0_0 <= winnerswinner3_best_index_0_0;
+        winnerswinner4_best_below_0_0 <= winnerswinner3_best_below_0_0;
+        winnerswinner4_best_above_0_0 <= winnerswinner4_best_above_0_0_choice;
+      end if;
+      if (winnerswinner4_best_second_0_0_choice_2 - winnerswinner4_best_second_0_0_choice_4) < 0 then
+        winnerswinner4_best_second_0_0 <= winnerswinner4_best_second_0_0_choice_2;
+      else
+        winnerswinner4_best_second_0_0 <= winnerswinner4_best_second_0_0_choice_4;
+      end if;
       -- winners
       winners_best_index_0_0 <= winnerswinner4_best_index_0_0;
       winners_best_below_0_0 <= winnerswinner4_best_below_0_0;
@@ -2912,8 +4225,12 @@ begin
       refinement_below_0_differs := winners_best_index_0_0 /= 0;
       refinement_below_0_differs_2 := winners_best_below_0_0 /= 1023;
       refinement_below_0_all := refinement_below_0_differs and refinement_below_0_differs_2;
-      refinement_above_0_choice := refinement_below_0_all when winners_best_index_0_0 = 11 else
-        refinement_below_0_differs and (winners_best_above_0_0 = 1023) and refinement_below_0_differs_2;
+      if winners_best_index_0_0 = 11 then
+        refinement_above_0_choice := refinement_below_0_all;
+      else
+        refinement_above_0_choice := refinement_below_0_differs and (winners_best_above_0_0 = 1023) and
+          refinement_below_0_differs_2;
+      end if;
       refinement_remainder_1_0_difference := (refinement_remainder_0_0 + 2048) - refinement_divisor_0_0;
       refinement_remainder_2_0_difference := ((refinement_remainder_1_0 * 2) + 2048) - refinement_divisor_1_0;
       refinement_remainder_3_0_difference := ((refinement_remainder_2_0 * 2) + 2048) - refinement_divisor_2_0;
@@ -2922,7 +4239,11 @@ begin
       refinement_remainder_6_0_difference := ((refinement_remainder_5_0 * 2) + 2048) - refinement_divisor_5_0;
       refinement_remainder_7_0_difference := ((refinement_remainder_6_0 * 2) + 2048) - refinement_divisor_6_0;
       refinement_divisor_0_0_is_less := (-1) < refinement_difference_0;
-      refinement_divisor_0_0_choice := refinement_v_0 when refinement_divisor_0_0_is_less else refinement_u_0;
+      if refinement_divisor_0_0_is_less then
+        refinement_divisor_0_0_choice := refinement_v_0;
+      else
+        refinement_divisor_0_0_choice := refinement_u_0;
+      end if;
       refinement_fraction_0_difference := 0 - (refinement_quotient_8_0 / 16);
       refinement_fraction_0_value := (refinement_quotient_8_0 + 15) / 16;
       if refinement_negative_8_0 then
@@ -2947,8 +4268,6 @@ begin
       refinement_disparity_9_0 <= refinement_disparity_8_0;
       refinement_disparity_10_0 <= refinement_disparity_9_0;
       refinement_disparity_11_0 <= refinement_disparity_10_0;
-      refinement_passed_3_0 <= transform_columns_column_inside_1 when refinement_alone_1_0 else
-        transform_columns_column_inside_1 and ((refinement_scaled_cost_0 - refinement_scaled_gap_0) < 0);
       refinement_passed_4_0 <= refinement_passed_3_0;
       refinement_passed_5_0 <= refinement_passed_4_0;
       refinement_passed_6_0 <= refinement_passed_5_0;
@@ -3022,26 +4341,10 @@ begin
       refinement_gap_0 <= (winners_best_second_0_0 - winners_best_late_cost_0_0) mod 1024;
       refinement_scaled_gap_0 <= refinement_gap_0;
       refinement_scaled_cost_0 <= 2;
-      refinement_below_0 <= winners_best_below_0_0 when refinement_below_0_all else winners_best_above_0_0;
-      refinement_above_0 <= winners_best_below_0_0 when refinement_above_0_choice else winners_best_above_0_0;
       refinement_u_0 <= (refinement_below_0 - winners_best_late_cost_0_0) mod 1024;
       refinement_v_0 <= (refinement_above_0 - winners_best_late_cost_0_0) mod 1024;
       refinement_difference_0 <= refinement_above_0 - refinement_below_0;
       refinement_remainder_0_0 <= magnitude(refinement_difference_0);
-      refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 1024 when
-        (refinement_remainder_1_0_difference / 2048) = 1 else refinement_remainder_0_0;
-      refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 1024 when
-        (refinement_remainder_2_0_difference / 2048) = 1 else (refinement_remainder_1_0 mod 512) * 2;
-      refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 1024 when
-        (refinement_remainder_3_0_difference / 2048) = 1 else (refinement_remainder_2_0 mod 512) * 2;
-      refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 1024 when
-        (refinement_remainder_4_0_difference / 2048) = 1 else (refinement_remainder_3_0 mod 512) * 2;
-      refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 1024 when
-        (refinement_remainder_5_0_difference / 2048) = 1 else (refinement_remainder_4_0 mod 512) * 2;
-      refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 1024 when
-        (refinement_remainder_6_0_difference / 2048) = 1 else (refinement_remainder_5_0 mod 512) * 2;
-      refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 1024 when
-        (refinement_remainder_7_0_difference / 2048) = 1 else (refinement_remainder_6_0 mod 512) * 2;
       refinement_divisor_0_0 <= to_integer(((to_unsigned(refinement_divisor_0_0_choice, 10)) or
         (to_unsigned(as_number(((refinement_u_0 = 0) and (refinement_v_0 = 0))), 10))));
       refinement_divisor_1_0 <= refinement_divisor_0_0;
@@ -3063,6 +4366,57 @@ begin
       refinement_negative_7_0 <= refinement_negative_6_0;
       refinement_negative_8_0 <= refinement_negative_7_0;
       refinement_fraction_0 <= ((((refinement_fraction_0_choice / 8) + 1) mod 4) * 8) + refinement_fraction_0_choice_2;
+      if refinement_alone_1_0 then
+        refinement_passed_3_0 <= transform_columns_column_inside_1;
+      else
+        refinement_passed_3_0 <= transform_columns_column_inside_1 and ((refinement_scaled_cost_0 -
+          refinement_scaled_gap_0) < 0);
+      end if;
+      if refinement_below_0_all then
+        refinement_below_0 <= winners_best_below_0_0;
+      else
+        refinement_below_0 <= winners_best_above_0_0;
+      end if;
+      if refinement_above_0_choice then
+        refinement_above_0 <= winners_best_below_0_0;
+      else
+        refinement_above_0 <= winners_best_above_0_0;
+      end if;
+      if (refinement_remainder_1_0_difference / 2048) = 1 then
+        refinement_remainder_1_0 <= refinement_remainder_1_0_difference mod 1024;
+      else
+        refinement_remainder_1_0 <= refinement_remainder_0_0;
+      end if;
+      if (refinement_remainder_2_0_difference / 2048) = 1 then
+        refinement_remainder_2_0 <= refinement_remainder_2_0_difference mod 1024;
+      else
+        refinement_remainder_2_0 <= (refinement_remainder_1_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_3_0_difference / 2048) = 1 then
+        refinement_remainder_3_0 <= refinement_remainder_3_0_difference mod 1024;
+      else
+        refinement_remainder_3_0 <= (refinement_remainder_2_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_4_0_difference / 2048) = 1 then
+        refinement_remainder_4_0 <= refinement_remainder_4_0_difference mod 1024;
+      else
+        refinement_remainder_4_0 <= (refinement_remainder_3_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_5_0_difference / 2048) = 1 then
+        refinement_remainder_5_0 <= refinement_remainder_5_0_difference mod 1024;
+      else
+        refinement_remainder_5_0 <= (refinement_remainder_4_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_6_0_difference / 2048) = 1 then
+        refinement_remainder_6_0 <= refinement_remainder_6_0_difference mod 1024;
+      else
+        refinement_remainder_6_0 <= (refinement_remainder_5_0 mod 512) * 2;
+      end if;
+      if (refinement_remainder_7_0_difference / 2048) = 1 then
+        refinement_remainder_7_0 <= refinement_remainder_7_0_difference mod 1024;
+      else
+        refinement_remainder_7_0 <= (refinement_remainder_6_0 mod 512) * 2;
+      end if;
       -- leftright
       leftright_holds_winners_all := (leftright_ring_read_address /= 0) and (not leftright_holds_winners);
       leftright_checked_passed_0_difference := (leftright_answered_disparity_0 + 1) - to_integer(leftright_found_0);
@@ -3081,8 +4435,6 @@ begin
       leftright_other_13_0 <= leftright_other_12_0;
       leftright_other_14_0 <= leftright_other_13_0;
       leftright_other_15_0 <= leftright_other_14_0;
-      leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners when
-        leftright_holds_winners_all else refinement_tag_11_valid or leftright_holds_winners;
       leftright_position <= (leftright_position + as_number(refinement_tag_11_valid)) mod 16;
       leftright_held_position <= leftright_position;
       leftright_held_valid <= (not leftright_holds_winners_all) and refinement_tag_11_valid;
@@ -3112,38 +4464,63 @@ begin
       leftright_checked_tag_output_column <= leftright_answered_tag_output_column;
       leftright_checked_tag_start_of_frame <= leftright_answered_tag_start_of_frame;
       leftright_checked_tag_end_of_line <= leftright_answered_tag_end_of_line;
+      if leftright_holds_winners_all then
+        leftright_holds_winners <= (not refinement_tag_11_valid) and leftright_holds_winners;
+      else
+        leftright_holds_winners <= refinement_tag_11_valid or leftright_holds_winners;
+      end if;
       if refinement_tag_11_valid then
-        leftright_ring_read_address <= 0 when leftright_ring_read_address = 11 else (leftright_ring_read_address + 1)
-          mod 16;
         leftright_ring_write_address <= leftright_ring_read_address;
+        if leftright_ring_read_address = 11 then
+          leftright_ring_read_address <= 0;
+        else
+          leftright_ring_read_address <= (leftright_ring_read_address + 1) mod 16;
+        end if;
       end if;
       -- turn
       turn_order_address_any := turn_order_inside or (not leftright_checked_tag_map_column) or (not
         leftright_checked_tag_valid);
-      turn_order_address_choice := 63 when turn_order_falls else 1;
-      turn_order_address_choice_2 := 0 when turn_order_falls else 37;
+      if turn_order_falls then
+        turn_order_address_choice := 63;
+      else
+        turn_order_address_choice := 1;
+      end if;
+      if turn_order_falls then
+        turn_order_address_choice_2 := 0;
+      else
+        turn_order_address_choice_2 := 37;
+      end if;
       turn_order_address_any_2 := (not leftright_checked_tag_map_column) or (not leftright_checked_tag_valid);
       if not turn_order_address_any_2 then
-        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 64 when turn_order_address_any else
-          turn_order_address_choice_2;
+        if turn_order_address_any then
+          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 64;
+        else
+          turn_order_address <= turn_order_address_choice_2;
+        end if;
       end if;
       turn_order_falls_all := (not turn_order_inside) and leftright_checked_tag_map_column and
         leftright_checked_tag_valid;
       turn_order_complete_all := leftright_checked_tag_map_column and leftright_checked_tag_valid;
       turn_ready_tag_row_start_is_equal := map_counter_column = 37;
-      turn_ready_tag_row_start_choice := turn_ready_tag_row_start and ((map_counter_group mod 2) = 1) when
-        (map_counter_group / 2) = 6 else turn_ready_tag_row_start;
-      turn_ready_tag_row_start_choice_2 := turn_ready_tag_row_start_choice when turn_ready_tag_row_start_is_equal else
-        turn_ready_tag_row_start;
+      if (map_counter_group / 2) = 6 then
+        turn_ready_tag_row_start_choice := turn_ready_tag_row_start and ((map_counter_group mod 2) = 1);
+      else
+        turn_ready_tag_row_start_choice := turn_ready_tag_row_start;
+      end if;
+      if turn_ready_tag_row_start_is_equal then
+        turn_ready_tag_row_start_choice_2 := turn_ready_tag_row_start_choice;
+      else
+        turn_ready_tag_row_start_choice_2 := turn_ready_tag_row_start;
+      end if;
       turn_ready_tag_row_start_is_equal_2 := map_counter_group = 11;
       turn_ready_tag_row_start_all := turn_ready_tag_row_start_is_equal and turn_ready_tag_row_start_is_equal_2;
-      turn_ready_tag_row_start_choice_3 := turn_ready_tag_row_start_all or (not turn_ready_tag_start_of_frame) when
-        turn_ready_tag_row_start_choice_2 else turn_ready_tag_row_start_is_equal and
-        turn_ready_tag_row_start_is_equal_2 and turn_ready_tag_start_of_frame;
+      if turn_ready_tag_row_start_choice_2 then
+        turn_ready_tag_row_start_choice_3 := turn_ready_tag_row_start_all or (not turn_ready_tag_start_of_frame);
+      else
+        turn_ready_tag_row_start_choice_3 := turn_ready_tag_row_start_is_equal and turn_ready_tag_row_start_is_equal_2
+          and turn_ready_tag_start_of_frame;
+      end if;
       turn_ready_tag_row_start_all_2 := turn_ready_tag_valid and turn_ready_tag_map_column;
-      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
-      turn_order_complete <= turn_order_complete or turn_order_complete_all when leftright_checked_tag_end_of_line else
-        turn_order_complete and turn_order_address_any_2;
       turn_order_turned_valid <= leftright_checked_tag_valid;
       turn_order_turned_map_column <= leftright_checked_tag_map_column;
       turn_order_turned_start_of_frame <= (not turn_order_inside) and leftright_checked_tag_map_column and
@@ -3158,12 +4535,25 @@ begin
       turn_read_tag_end_of_line <= turn_order_turned_end_of_line;
       turn_ready <= to_integer(turn_read_words_0);
       turn_ready_tag_valid <= turn_read_tag_valid;
-      turn_ready_tag_row_start <= turn_ready_tag_row_start or turn_ready_tag_row_start_all_2 when
-        turn_ready_tag_row_start_choice_3 else turn_ready_tag_row_start and ((not turn_ready_tag_valid) or (not
-        turn_ready_tag_map_column));
       turn_ready_tag_map_column <= turn_read_tag_map_column;
       turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
       turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
+      if turn_order_falls then
+        turn_order_falls <= turn_order_address_any;
+      else
+        turn_order_falls <= turn_order_falls_all;
+      end if;
+      if leftright_checked_tag_end_of_line then
+        turn_order_complete <= turn_order_complete or turn_order_complete_all;
+      else
+        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
+      end if;
+      if turn_ready_tag_row_start_choice_3 then
+        turn_ready_tag_row_start <= turn_ready_tag_row_start or turn_ready_tag_row_start_all_2;
+      else
+        turn_ready_tag_row_start <= turn_ready_tag_row_start and ((not turn_ready_tag_valid) or (not
+          turn_ready_tag_map_column));
+      end if;
       if leftright_checked_tag_valid then
         turn_order_inside <= leftright_checked_tag_map_column;
       end if;
@@ -3177,17 +4567,34 @@ begin
       end if;
       -- map
       if turn_ready_tag_row_start_all_2 then
-        map_counter_column <= 0 when turn_ready_tag_row_start_is_equal or turn_ready_tag_start_of_frame else
-          (map_counter_column + 1) mod 64;
+        if turn_ready_tag_row_start_is_equal or turn_ready_tag_start_of_frame then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 64;
+        end if;
       end if;
-      map_counter_group_choice := 3 when turn_ready_tag_row_start_all else 0;
+      if turn_ready_tag_row_start_all then
+        map_counter_group_choice := 3;
+      else
+        map_counter_group_choice := 0;
+      end if;
       map_counter_group_is_equal := map_counter_group = 12;
-      map_counter_group_choice_2 := 1 when map_counter_group_is_equal and turn_ready_tag_row_start else
-        (map_counter_group + 1) mod 16;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when turn_ready_tag_row_start_is_equal and
-        (((map_counter_group / 2) /= 6) or (not ((map_counter_group mod 2) = 1))) and turn_ready_tag_valid and
-        turn_ready_tag_map_column else map_counter_group;
-      map_line_ended_choice := turn_ready_tag_map_column when turn_ready_tag_valid else map_line_ended;
+      if map_counter_group_is_equal and turn_ready_tag_row_start then
+        map_counter_group_choice_2 := 1;
+      else
+        map_counter_group_choice_2 := (map_counter_group + 1) mod 16;
+      end if;
+      if turn_ready_tag_row_start_is_equal and (((map_counter_group / 2) /= 6) or (not ((map_counter_group mod 2) =
+        1))) and turn_ready_tag_valid and turn_ready_tag_map_column then
+        map_counter_group_choice_3 := map_counter_group_choice_2;
+      else
+        map_counter_group_choice_3 := map_counter_group;
+      end if;
+      if turn_ready_tag_valid then
+        map_line_ended_choice := turn_ready_tag_map_column;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
       if map_at_top then
         map_of_column_0_a_choice := map_column_1 / 2;
@@ -3199,8 +4606,16 @@ begin
       else
         map_of_column_0_c_choice := map_column_2 / 2;
       end if;
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
       if map_of_column_0_c_below_b then
         map_sorted_middle_0_choice := map_of_column_0_b;
       else
@@ -3221,32 +4636,81 @@ begin
       else
         map_sorted_high_0_choice_2 := map_of_column_0_c;
       end if;
-      map_window_complete_choice := map_sorted_arrives when ((map_sorted_column / 2) mod 2) = 1 else
-        ((map_sorted_column mod 2) = 1) and map_sorted_arrives;
-      map_window_complete_choice_2 := map_window_complete_choice when (map_sorted_column / 4) = 0 else
-        map_sorted_arrives;
-      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
-        map_median_middle_0_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_counter_group <= map_counter_group_choice * 4 when turn_ready_tag_start_of_frame and turn_ready_tag_valid and
-        turn_ready_tag_map_column else map_counter_group_choice_3;
+      if ((map_sorted_column / 2) mod 2) = 1 then
+        map_window_complete_choice := map_sorted_arrives;
+      else
+        map_window_complete_choice := ((map_sorted_column mod 2) = 1) and map_sorted_arrives;
+      end if;
+      if (map_sorted_column / 4) = 0 then
+        map_window_complete_choice_2 := map_window_complete_choice;
+      else
+        map_window_complete_choice_2 := map_sorted_arrives;
+      end if;
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice := map_of_low_0_a;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice_2 := map_of_low_0_b;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_2 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_4 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
       map_counter_next_frame <= to_integer(other_1(40 downto 40)) = 1;
       map_newest_0 <= ((((((((turn_ready mod 256) + (turn_ready / 8192)) * 2) + (((turn_ready / 512) mod 16) / 8) +
         8191) mod 4096) * 8) + ((turn_ready / 512) mod 8)) * 2) + ((turn_ready / 256) mod 2);
       map_arrives <= turn_ready_tag_row_start_all_2;
       map_behind <= map_line_ended and turn_ready_tag_valid;
-      map_line_ended <= map_line_ended_choice when turn_ready_tag_end_of_line else map_line_ended and (not
-        turn_ready_tag_valid);
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
       map_write_column <= to_integer(other_1(5 downto 0));
@@ -3274,14 +4738,6 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
-        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
-      map_window_complete <= map_sorted_output when map_window_complete_choice_2 else map_sorted_output and
-        map_sorted_behind;
       map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
       map_window_last <= map_sorted_behind;
       map_of_low_0_a <= map_low_0_0;
@@ -3302,10 +4758,6 @@ begin
       map_of_high_0_b_below_a <= (map_high_1_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_a <= (map_high_2_0 - map_high_0_0) < 0;
       map_of_high_0_c_below_b <= (map_high_2_0 - map_high_1_0) < 0;
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
-        map_median_middle_0_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
@@ -3324,30 +4776,96 @@ begin
       map_waiting_passed_0_0 <= map_passed_1_0;
       map_waiting_passed_1_0 <= map_waiting_passed_0_0;
       map_waiting_passed_2_0 <= map_waiting_passed_1_0;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_map_column then
+        map_counter_group <= map_counter_group_choice * 4;
+      else
+        map_counter_group <= map_counter_group_choice_3;
+      end if;
+      if turn_ready_tag_end_of_line then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= map_line_ended and (not turn_ready_tag_valid);
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_passed_0_0 then
+        map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind;
+      else
+        map_passed_1_0 <= map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      end if;
+      if map_window_complete_choice_2 then
+        map_window_complete <= map_sorted_output;
+      else
+        map_window_complete <= map_sorted_output and map_sorted_behind;
+      end if;
+      if map_of_low_0_b_below_a then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (other_3 / 8192) + (map_rows_ready_newest_0 * 8192);
         map_at_column <= to_integer(other_1(5 downto 0));
       end if;
-      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_0_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
       map_low_1_0_all := map_sorted_arrives and (map_sorted_column = 0);
-      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_0_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
       map_low_0_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_0_all then
         map_low_0_0 <= map_low_0_0_choice;
-        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
         map_middle_0_0 <= map_middle_0_0_choice;
-        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
         map_high_0_0 <= map_high_0_0_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
+        if map_low_1_0_all then
+          map_low_1_0 <= map_low_0_0_choice;
+          map_middle_1_0 <= map_middle_0_0_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+        else
+          map_low_1_0 <= map_low_0_0;
+          map_middle_1_0 <= map_middle_0_0;
+          map_high_1_0 <= map_high_0_0;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;

@@ -924,251 +924,407 @@ architecture rtl of stereo_core_tiny_sgm_9x7 is
   signal turn_newest, turn_write_words_0 : natural range 0 to 267;
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
+  signal transform_left_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_1_memory_write_data : unsigned(15 downto 0);
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_1_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_1_memory_write_data : unsigned(15 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal turn_read_words_0_memory_read_enable : boolean;
+  signal turn_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal turn_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal sums_sum_delay_held_2_memory_read_enable : boolean;
+  signal sums_sum_delay_held_2_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_2_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
+  signal sums_sum_delay_held_1_memory_read_enable : boolean;
+  signal sums_sum_delay_held_1_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_1_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
+  signal sums_sum_delay_held_0_memory_read_enable : boolean;
+  signal sums_sum_delay_held_0_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_0_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_2_memory_read_enable : boolean;
+  signal sums_turn_read_sums_2_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_2_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_2_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_1_memory_read_enable : boolean;
+  signal sums_turn_read_sums_1_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_1_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_1_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_0_memory_read_enable : boolean;
+  signal sums_turn_read_sums_0_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_0_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_0_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_costs_1_memory_read_enable : boolean;
+  signal sums_turn_read_costs_1_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_costs_1_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_costs_1_memory_write_data : unsigned(29 downto 0);
+  signal sums_turn_read_costs_0_memory_read_enable : boolean;
+  signal sums_turn_read_costs_0_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_costs_0_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_costs_0_memory_write_data : unsigned(29 downto 0);
+  signal sums_turn_read_smallest_0_memory_read_enable : boolean;
+  signal sums_turn_read_smallest_0_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_smallest_0_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_smallest_0_memory_write_data : unsigned(4 downto 0);
+  signal forward_above_read_words_1_memory_read_enable : boolean;
+  signal forward_above_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal forward_above_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal forward_above_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_0_memory_read_enable : boolean;
+  signal forward_above_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal forward_above_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal forward_above_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_delay_held_2_memory_read_enable : boolean;
+  signal forward_above_delay_held_2_memory_read_address : unsigned(2 downto 0);
+  signal forward_above_delay_held_2_memory_write_address : unsigned(2 downto 0);
   signal forward_above_delay_held_2_memory_write_data : unsigned(11 downto 0);
+  signal forward_above_delay_held_1_memory_read_enable : boolean;
+  signal forward_above_delay_held_1_memory_read_address : unsigned(2 downto 0);
+  signal forward_above_delay_held_1_memory_write_address : unsigned(2 downto 0);
   signal forward_above_delay_held_1_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_0_memory_read_enable : boolean;
+  signal forward_above_delay_held_0_memory_read_address : unsigned(2 downto 0);
+  signal forward_above_delay_held_0_memory_write_address : unsigned(2 downto 0);
   signal forward_above_delay_held_0_memory_write_data : unsigned(29 downto 0);
+  signal forward_cost_delay_held_1_memory_read_enable : boolean;
+  signal forward_cost_delay_held_1_memory_read_address : unsigned(2 downto 0);
+  signal forward_cost_delay_held_1_memory_write_address : unsigned(2 downto 0);
   signal forward_cost_delay_held_1_memory_write_data : unsigned(29 downto 0);
+  signal forward_cost_delay_held_0_memory_read_enable : boolean;
+  signal forward_cost_delay_held_0_memory_read_address : unsigned(2 downto 0);
+  signal forward_cost_delay_held_0_memory_write_address : unsigned(2 downto 0);
   signal forward_cost_delay_held_0_memory_write_data : unsigned(29 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(61 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(61 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(61 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(61 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(3 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(3 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(61 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned((turn_ready mod 16), 8));
   pixel_valid <= std_logic_vector(to_unsigned((turn_ready / 256), 1));
   disparity_valid <= as_bit(turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column);
 
+  transform_left_rows_read_words_1_memory_read_enable <= true;
+  transform_left_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_1_memory_write_data <= to_unsigned(transform_left_rows_write_words_1, 16);
   transform_left_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 16)
+    generic map (depth => 40, width => 16, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_1_memory_read_enable,
+      read_address => transform_left_rows_read_words_1_memory_read_address, read_data => transform_left_rows_read_words_1,
+      write_address => transform_left_rows_read_words_1_memory_write_address, write_data => transform_left_rows_read_words_1_memory_write_data);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_1_memory_read_enable <= true;
+  transform_right_rows_read_words_1_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_1_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_1_memory_write_data <= to_unsigned(transform_right_rows_write_words_1, 16);
   transform_right_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 16)
+    generic map (depth => 40, width => 16, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_1,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_1_memory_read_enable,
+      read_address => transform_right_rows_read_words_1_memory_read_address, read_data => transform_right_rows_read_words_1,
+      write_address => transform_right_rows_read_words_1_memory_write_address, write_data => transform_right_rows_read_words_1_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
+  turn_read_words_0_memory_read_enable <= true;
+  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 5);
+  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 5);
   turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
   turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9)
+    generic map (depth => 29, width => 9, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
+      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
+      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
 
+  sums_sum_delay_held_2_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_2_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_2_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
   sums_sum_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 4, width => 28)
+    generic map (depth => 4, width => 28, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_2,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_2_memory_read_enable,
+      read_address => sums_sum_delay_held_2_memory_read_address, read_data => sums_sum_delay_held_2,
+      write_address => sums_sum_delay_held_2_memory_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
 
+  sums_sum_delay_held_1_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_1_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_1_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_1_memory_write_data <= to_unsigned(sums_turn_ready_sums_1, 28);
   sums_sum_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 4, width => 28)
+    generic map (depth => 4, width => 28, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_1,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_1_memory_read_enable,
+      read_address => sums_sum_delay_held_1_memory_read_address, read_data => sums_sum_delay_held_1,
+      write_address => sums_sum_delay_held_1_memory_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
 
+  sums_sum_delay_held_0_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_0_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_0_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_0_memory_write_data <= to_unsigned(sums_turn_ready_sums_0, 28);
   sums_sum_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 4, width => 28)
+    generic map (depth => 4, width => 28, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_0,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_0_memory_read_enable,
+      read_address => sums_sum_delay_held_0_memory_read_address, read_data => sums_sum_delay_held_0,
+      write_address => sums_sum_delay_held_0_memory_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
 
+  sums_turn_read_sums_2_memory_read_enable <= true;
+  sums_turn_read_sums_2_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_sums_2_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_sums_2_memory_write_data <= to_unsigned(sums_turn_write_sums_2, 28);
   sums_turn_read_sums_2_memory : entity work.line_memory
-    generic map (depth => 29, width => 28)
+    generic map (depth => 29, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_sums_2,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_2_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_2_memory_read_enable,
+      read_address => sums_turn_read_sums_2_memory_read_address, read_data => sums_turn_read_sums_2,
+      write_address => sums_turn_read_sums_2_memory_write_address, write_data => sums_turn_read_sums_2_memory_write_data);
 
+  sums_turn_read_sums_1_memory_read_enable <= true;
+  sums_turn_read_sums_1_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_sums_1_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_sums_1_memory_write_data <= to_unsigned(sums_turn_write_sums_1, 28);
   sums_turn_read_sums_1_memory : entity work.line_memory
-    generic map (depth => 29, width => 28)
+    generic map (depth => 29, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_sums_1,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_1_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_1_memory_read_enable,
+      read_address => sums_turn_read_sums_1_memory_read_address, read_data => sums_turn_read_sums_1,
+      write_address => sums_turn_read_sums_1_memory_write_address, write_data => sums_turn_read_sums_1_memory_write_data);
 
+  sums_turn_read_sums_0_memory_read_enable <= true;
+  sums_turn_read_sums_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_sums_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_sums_0_memory_write_data <= to_unsigned(sums_turn_write_sums_0, 28);
   sums_turn_read_sums_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 28)
+    generic map (depth => 29, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_sums_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_0_memory_read_enable,
+      read_address => sums_turn_read_sums_0_memory_read_address, read_data => sums_turn_read_sums_0,
+      write_address => sums_turn_read_sums_0_memory_write_address, write_data => sums_turn_read_sums_0_memory_write_data);
 
+  sums_turn_read_costs_1_memory_read_enable <= true;
+  sums_turn_read_costs_1_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_costs_1_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_costs_1_memory_write_data <= to_unsigned(sums_turn_write_costs_1, 30);
   sums_turn_read_costs_1_memory : entity work.line_memory
-    generic map (depth => 29, width => 30)
+    generic map (depth => 29, width => 30, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_costs_1,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_1_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_costs_1_memory_read_enable,
+      read_address => sums_turn_read_costs_1_memory_read_address, read_data => sums_turn_read_costs_1,
+      write_address => sums_turn_read_costs_1_memory_write_address, write_data => sums_turn_read_costs_1_memory_write_data);
 
+  sums_turn_read_costs_0_memory_read_enable <= true;
+  sums_turn_read_costs_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_costs_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_costs_0_memory_write_data <= to_unsigned(sums_turn_write_costs_0, 30);
   sums_turn_read_costs_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 30)
+    generic map (depth => 29, width => 30, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_costs_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_costs_0_memory_read_enable,
+      read_address => sums_turn_read_costs_0_memory_read_address, read_data => sums_turn_read_costs_0,
+      write_address => sums_turn_read_costs_0_memory_write_address, write_data => sums_turn_read_costs_0_memory_write_data);
 
+  sums_turn_read_smallest_0_memory_read_enable <= true;
+  sums_turn_read_smallest_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_smallest_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_smallest_0_memory_write_data <= to_unsigned(sums_turn_write_smallest_0, 5);
   sums_turn_read_smallest_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 5)
+    generic map (depth => 29, width => 5, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_smallest_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_smallest_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_smallest_0_memory_read_enable,
+      read_address => sums_turn_read_smallest_0_memory_read_address, read_data => sums_turn_read_smallest_0,
+      write_address => sums_turn_read_smallest_0_memory_write_address, write_data => sums_turn_read_smallest_0_memory_write_data);
 
+  forward_above_read_words_1_memory_read_enable <= true;
+  forward_above_read_words_1_memory_read_address <= to_unsigned(entry_next_column, 5);
+  forward_above_read_words_1_memory_write_address <= to_unsigned(forward_above_write_column, 5);
   forward_above_read_words_1_memory_write_data <= forward_above_write_words_1;
   forward_above_read_words_1_memory : entity work.line_memory
-    generic map (depth => 29, width => 32)
+    generic map (depth => 29, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_next_column, read_data => forward_above_read_words_1,
-      write_address => forward_above_write_column, write_data => forward_above_read_words_1_memory_write_data);
+      clock => clock, read_enable => forward_above_read_words_1_memory_read_enable,
+      read_address => forward_above_read_words_1_memory_read_address, read_data => forward_above_read_words_1,
+      write_address => forward_above_read_words_1_memory_write_address, write_data => forward_above_read_words_1_memory_write_data);
 
+  forward_above_read_words_0_memory_read_enable <= true;
+  forward_above_read_words_0_memory_read_address <= to_unsigned(entry_next_column, 5);
+  forward_above_read_words_0_memory_write_address <= to_unsigned(forward_above_write_column, 5);
   forward_above_read_words_0_memory_write_data <= forward_above_write_words_0;
   forward_above_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 32)
+    generic map (depth => 29, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_next_column, read_data => forward_above_read_words_0,
-      write_address => forward_above_write_column, write_data => forward_above_read_words_0_memory_write_data);
+      clock => clock, read_enable => forward_above_read_words_0_memory_read_enable,
+      read_address => forward_above_read_words_0_memory_read_address, read_data => forward_above_read_words_0,
+      write_address => forward_above_read_words_0_memory_write_address, write_data => forward_above_read_words_0_memory_write_data);
 
+  forward_above_delay_held_2_memory_read_enable <= entry_tag_valid;
+  forward_above_delay_held_2_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+  forward_above_delay_held_2_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
   forward_above_delay_held_2_memory_write_data <= to_unsigned(forward_above_total_11, 6) & to_unsigned(forward_above_total_10, 6);
   forward_above_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 5, width => 12)
+    generic map (depth => 5, width => 12, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_2,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
+      clock => clock, read_enable => forward_above_delay_held_2_memory_read_enable,
+      read_address => forward_above_delay_held_2_memory_read_address, read_data => forward_above_delay_held_2,
+      write_address => forward_above_delay_held_2_memory_write_address, write_data => forward_above_delay_held_2_memory_write_data);
 
+  forward_above_delay_held_1_memory_read_enable <= entry_tag_valid;
+  forward_above_delay_held_1_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+  forward_above_delay_held_1_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
   forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total_9, 6) & to_unsigned(forward_above_total_8, 6) & to_unsigned(forward_above_total_7, 6) & to_unsigned(forward_above_total_6, 6) & to_unsigned(forward_above_total_5, 6);
   forward_above_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 5, width => 30)
+    generic map (depth => 5, width => 30, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_1,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
+      clock => clock, read_enable => forward_above_delay_held_1_memory_read_enable,
+      read_address => forward_above_delay_held_1_memory_read_address, read_data => forward_above_delay_held_1,
+      write_address => forward_above_delay_held_1_memory_write_address, write_data => forward_above_delay_held_1_memory_write_data);
 
+  forward_above_delay_held_0_memory_read_enable <= entry_tag_valid;
+  forward_above_delay_held_0_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+  forward_above_delay_held_0_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
   forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total_4, 6) & to_unsigned(forward_above_total_3, 6) & to_unsigned(forward_above_total_2, 6) & to_unsigned(forward_above_total_1, 6) & to_unsigned(forward_above_total_0, 6);
   forward_above_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 5, width => 30)
+    generic map (depth => 5, width => 30, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_0,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
+      clock => clock, read_enable => forward_above_delay_held_0_memory_read_enable,
+      read_address => forward_above_delay_held_0_memory_read_address, read_data => forward_above_delay_held_0,
+      write_address => forward_above_delay_held_0_memory_write_address, write_data => forward_above_delay_held_0_memory_write_data);
 
+  forward_cost_delay_held_1_memory_read_enable <= entry_tag_valid;
+  forward_cost_delay_held_1_memory_read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
+  forward_cost_delay_held_1_memory_write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
   forward_cost_delay_held_1_memory_write_data <= to_unsigned(entry_cost_11, 5) & to_unsigned(entry_cost_10, 5) & to_unsigned(entry_cost_9, 5) & to_unsigned(entry_cost_8, 5) & to_unsigned(entry_cost_7, 5) & to_unsigned(entry_cost_6, 5);
   forward_cost_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 5, width => 30)
+    generic map (depth => 5, width => 30, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_1,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
+      clock => clock, read_enable => forward_cost_delay_held_1_memory_read_enable,
+      read_address => forward_cost_delay_held_1_memory_read_address, read_data => forward_cost_delay_held_1,
+      write_address => forward_cost_delay_held_1_memory_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
 
+  forward_cost_delay_held_0_memory_read_enable <= entry_tag_valid;
+  forward_cost_delay_held_0_memory_read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
+  forward_cost_delay_held_0_memory_write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
   forward_cost_delay_held_0_memory_write_data <= to_unsigned(entry_cost_5, 5) & to_unsigned(entry_cost_4, 5) & to_unsigned(entry_cost_3, 5) & to_unsigned(entry_cost_2, 5) & to_unsigned(entry_cost_1, 5) & to_unsigned(entry_cost_0, 5);
   forward_cost_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 5, width => 30)
+    generic map (depth => 5, width => 30, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_0,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
+      clock => clock, read_enable => forward_cost_delay_held_0_memory_read_enable,
+      read_address => forward_cost_delay_held_0_memory_read_address, read_data => forward_cost_delay_held_0,
+      write_address => forward_cost_delay_held_0_memory_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_1_memory_write_data <= rows_search_rows_write_words_1;
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 62)
+    generic map (depth => 40, width => 62, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_0_memory_write_data <= rows_search_rows_write_words_0;
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 62)
+    generic map (depth => 40, width => 62, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_1_memory_write_data <= rows_reference_rows_write_words_1;
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 62)
+    generic map (depth => 40, width => 62, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_0_memory_write_data <= rows_reference_rows_write_words_0;
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 62)
+    generic map (depth => 40, width => 62, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 4);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 4);
   delay_delayed_0_memory_write_data <= raster_features_reference_0;
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 62)
+    generic map (depth => 12, width => 62, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_all : boolean;
@@ -2133,15 +2289,28 @@ begin
       -- transform
       transform_counter_group_is_equal := transform_counter_column = 39;
       transform_counter_group_all := transform_counter_group_is_equal and (transform_counter_group = 11);
-      transform_counter_group_choice := 3 when transform_counter_group_all else 0;
+      if transform_counter_group_all then
+        transform_counter_group_choice := 3;
+      else
+        transform_counter_group_choice := 0;
+      end if;
       transform_counter_group_is_equal_2 := (transform_counter_group / 2) = 7;
-      transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and (not
-        ((transform_counter_group mod 2) = 1)) when transform_counter_group_is_equal_2 else
-        transform_counter_group_is_equal and in_valid;
-      transform_counter_group_choice_3 := 3 when transform_counter_next_frame and (transform_counter_group = 14) else
-        (transform_counter_group + 1) mod 16;
-      transform_counter_group_choice_4 := transform_counter_group_choice_3 when transform_counter_group_choice_2 else
-        transform_counter_group;
+      if transform_counter_group_is_equal_2 then
+        transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid and (not
+          ((transform_counter_group mod 2) = 1));
+      else
+        transform_counter_group_choice_2 := transform_counter_group_is_equal and in_valid;
+      end if;
+      if transform_counter_next_frame and (transform_counter_group = 14) then
+        transform_counter_group_choice_3 := 3;
+      else
+        transform_counter_group_choice_3 := (transform_counter_group + 1) mod 16;
+      end if;
+      if transform_counter_group_choice_2 then
+        transform_counter_group_choice_4 := transform_counter_group_choice_3;
+      else
+        transform_counter_group_choice_4 := transform_counter_group;
+      end if;
       transform_read_column_inside_0_value := ((transform_counter_column / 16) mod 2) = 1;
       transform_read_column_inside_0_value_2 := ((transform_counter_column / 8) mod 2) = 1;
       transform_read_column_inside_0_value_3 := ((transform_counter_column / 4) mod 2) = 1;
@@ -2149,1460 +2318,3334 @@ begin
       transform_read_column_inside_2_is_equal := (transform_counter_column / 4) = 0;
       transform_read_column_inside_3_value := ((transform_counter_column / 2) mod 2) = 1;
       transform_read_column_inside_5_is_equal := ((transform_counter_column / 4) mod 4) = 0;
-      transform_read_column_inside_5_choice := transform_read_column_inside_5_is_equal when
-        transform_read_column_inside_3_value else not transform_read_column_inside_0_value_2;
-      transform_read_column_inside_5_choice_2 := transform_read_column_inside_5_is_equal when (transform_counter_column
-        mod 2) = 1 else transform_read_column_inside_5_choice;
+      if transform_read_column_inside_3_value then
+        transform_read_column_inside_5_choice := transform_read_column_inside_5_is_equal;
+      else
+        transform_read_column_inside_5_choice := not transform_read_column_inside_0_value_2;
+      end if;
+      if (transform_counter_column mod 2) = 1 then
+        transform_read_column_inside_5_choice_2 := transform_read_column_inside_5_is_equal;
+      else
+        transform_read_column_inside_5_choice_2 := transform_read_column_inside_5_choice;
+      end if;
       transform_read_column_inside_5_is_equal_2 := (transform_counter_column / 16) = 0;
-      transform_read_column_inside_5_choice_3 := transform_read_column_inside_5_is_equal_2 when
-        transform_read_column_inside_2_is_equal else ((transform_counter_column / 32) = 1) or
-        transform_read_column_inside_0_value;
-      transform_read_column_inside_6_choice := (not ((transform_counter_column / 32) = 1)) and (not
-        transform_read_column_inside_0_value) and (not transform_read_column_inside_0_value_3) when
-        transform_read_column_inside_3_value else transform_read_column_inside_5_is_equal_2;
-      transform_read_column_inside_7_choice := transform_read_column_inside_5_choice when (transform_counter_column mod
-        2) = 1 else not transform_read_column_inside_0_value_2;
+      if transform_read_column_inside_2_is_equal then
+        transform_read_column_inside_5_choice_3 := transform_read_column_inside_5_is_equal_2;
+      else
+        transform_read_column_inside_5_choice_3 := ((transform_counter_column / 32) = 1) or
+          transform_read_column_inside_0_value;
+      end if;
+      if transform_read_column_inside_3_value then
+        transform_read_column_inside_6_choice := (not ((transform_counter_column / 32) = 1)) and (not
+          transform_read_column_inside_0_value) and (not transform_read_column_inside_0_value_3);
+      else
+        transform_read_column_inside_6_choice := transform_read_column_inside_5_is_equal_2;
+      end if;
+      if (transform_counter_column mod 2) = 1 then
+        transform_read_column_inside_7_choice := transform_read_column_inside_5_choice;
+      else
+        transform_read_column_inside_7_choice := not transform_read_column_inside_0_value_2;
+      end if;
       transform_left_filter_feature_0_value := ((transform_left_filter_column_4_3 / 2) mod 2) = 1;
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
         ((transform_left_filter_column_4_3 mod 2) = 1));
-      transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_8_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      if (transform_left_filter_column_8_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
+      end if;
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column_4_3 mod 4) = 0;
-      transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice when
-        ((transform_left_filter_column_8_0 / 2) mod 2) = 1 else ((transform_left_filter_column_8_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
+      if ((transform_left_filter_column_8_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      else
+        transform_left_filter_feature_0_choice_2 := ((transform_left_filter_column_8_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
       transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_4_3 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_2 else (not
-        (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choice_2 then
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_8_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
       transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_4_3 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_3 else (not
-        (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      if transform_left_filter_feature_0_choice_3 then
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_8_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
       transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_4_3 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_4 else (not
-        (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choice_4 then
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_8_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
       transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_4_3 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_5 else (not
-        (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      if transform_left_filter_feature_0_choice_5 then
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_8_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
       transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_4_3 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_6 else (not
-        (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_8_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_7 else
-        ((transform_left_filter_column_8_0 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_8_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9 when
-        ((transform_left_filter_column_8_1 / 2) mod 2) = 1 else ((transform_left_filter_column_8_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_10 else (not
-        (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_11 else (not
-        (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_12 else (not
-        (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_13 else (not
-        (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_14 else (not
-        (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_8_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_15 else
-        ((transform_left_filter_column_8_1 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_8_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17 when
-        ((transform_left_filter_column_8_2 / 2) mod 2) = 1 else ((transform_left_filter_column_8_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_18 else (not
-        (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_19 else (not
-        (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_20 else (not
-        (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_21 else (not
-        (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_22 else (not
-        (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_8_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_23 else
-        ((transform_left_filter_column_8_2 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_8_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25 when
-        ((transform_left_filter_column_8_3 / 2) mod 2) = 1 else ((transform_left_filter_column_8_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_8_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_26 else (not
-        (((transform_left_filter_column_8_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_8_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_27 else (not
-        (((transform_left_filter_column_8_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_8_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_28 else (not
-        (((transform_left_filter_column_8_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_8_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_29 else (not
-        (((transform_left_filter_column_8_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_8_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_30 else (not
-        (((transform_left_filter_column_8_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_8_3 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_31 else
-        ((transform_left_filter_column_8_3 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_8_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33 when
-        ((transform_left_filter_column_8_4 / 2) mod 2) = 1 else ((transform_left_filter_column_8_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_34 else (not
-        (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_35 else (not
-        (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_36 else (not
-        (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_37 else (not
-        (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_38 else (not
-        (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_8_4 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_39 else
-        ((transform_left_filter_column_8_4 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_8_5 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41 when
-        ((transform_left_filter_column_8_5 / 2) mod 2) = 1 else ((transform_left_filter_column_8_5 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_8_5 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_42 else (not
-        (((transform_left_filter_column_8_5 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_8_5 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_43 else (not
-        (((transform_left_filter_column_8_5 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_8_5 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_44 else (not
-        (((transform_left_filter_column_8_5 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_8_5 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_45 else (not
-        (((transform_left_filter_column_8_5 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_8_5 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_46 else (not
-        (((transform_left_filter_column_8_5 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_8_5 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_47 else
-        ((transform_left_filter_column_8_5 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_8_6 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49 when
-        ((transform_left_filter_column_8_6 / 2) mod 2) = 1 else ((transform_left_filter_column_8_6 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_8_6 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_50 else (not
-        (((transform_left_filter_column_8_6 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_8_6 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_51 else (not
-        (((transform_left_filter_column_8_6 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_8_6 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_52 else (not
-        (((transform_left_filter_column_8_6 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_8_6 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_53 else (not
-        (((transform_left_filter_column_8_6 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_8_6 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_54 else (not
-        (((transform_left_filter_column_8_6 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_8_6 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_55 else
-        ((transform_left_filter_column_8_6 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_7_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57 when
-        ((transform_left_filter_column_7_0 / 2) mod 2) = 1 else ((transform_left_filter_column_7_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_58 else (not
-        (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_59 else (not
-        (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_60 else (not
-        (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_61 else (not
-        (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_62 else (not
-        (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_7_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_63 else
-        ((transform_left_filter_column_7_0 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_7_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65 when
-        ((transform_left_filter_column_7_1 / 2) mod 2) = 1 else ((transform_left_filter_column_7_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_66 else (not
-        (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_67 else (not
-        (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_68 else (not
-        (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_69 else (not
-        (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_70 else (not
-        (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_7_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_71 else
-        ((transform_left_filter_column_7_1 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_7_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73 when
-        ((transform_left_filter_column_7_2 / 2) mod 2) = 1 else ((transform_left_filter_column_7_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_74 else (not
-        (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_75 else (not
-        (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_76 else (not
-        (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_77 else (not
-        (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_78 else (not
-        (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_7_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_79 else
-        ((transform_left_filter_column_7_2 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_7_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81 when
-        ((transform_left_filter_column_7_3 / 2) mod 2) = 1 else ((transform_left_filter_column_7_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_7_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_82 else (not
-        (((transform_left_filter_column_7_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_7_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_83 else (not
-        (((transform_left_filter_column_7_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_7_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_84 else (not
-        (((transform_left_filter_column_7_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_7_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_85 else (not
-        (((transform_left_filter_column_7_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_7_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_86 else (not
-        (((transform_left_filter_column_7_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_88 := ((transform_left_filter_column_7_3 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_87 else
-        ((transform_left_filter_column_7_3 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_7_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_choice_89 when
-        ((transform_left_filter_column_7_4 / 2) mod 2) = 1 else ((transform_left_filter_column_7_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_7_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_90 else (not
-        (((transform_left_filter_column_7_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_7_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_91 else (not
-        (((transform_left_filter_column_7_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_7_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_92 else (not
-        (((transform_left_filter_column_7_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_7_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_93 else (not
-        (((transform_left_filter_column_7_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_7_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_94 else (not
-        (((transform_left_filter_column_7_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_7_4 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_95 else
-        ((transform_left_filter_column_7_4 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_7_5 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_choice_97 when
-        ((transform_left_filter_column_7_5 / 2) mod 2) = 1 else ((transform_left_filter_column_7_5 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_7_5 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_98 else (not
-        (((transform_left_filter_column_7_5 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_7_5 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_99 else (not
-        (((transform_left_filter_column_7_5 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_7_5 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_100 else (not
-        (((transform_left_filter_column_7_5 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_7_5 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_101 else (not
-        (((transform_left_filter_column_7_5 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_7_5 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_102 else (not
-        (((transform_left_filter_column_7_5 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_7_5 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_103 else
-        ((transform_left_filter_column_7_5 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_7_6 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105 when
-        ((transform_left_filter_column_7_6 / 2) mod 2) = 1 else ((transform_left_filter_column_7_6 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_7_6 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_106 else (not
-        (((transform_left_filter_column_7_6 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_7_6 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_107 else (not
-        (((transform_left_filter_column_7_6 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_7_6 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_108 else (not
-        (((transform_left_filter_column_7_6 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_7_6 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_109 else (not
-        (((transform_left_filter_column_7_6 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_7_6 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_110 else (not
-        (((transform_left_filter_column_7_6 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_7_6 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_111 else
-        ((transform_left_filter_column_7_6 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_6_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_choice_113 when
-        ((transform_left_filter_column_6_0 / 2) mod 2) = 1 else ((transform_left_filter_column_6_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_114 else (not
-        (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_115 else (not
-        (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_116 else (not
-        (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_117 else (not
-        (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_118 else (not
-        (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_6_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_119 else
-        ((transform_left_filter_column_6_0 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_121 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_6_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_choice_121 when
-        ((transform_left_filter_column_6_1 / 2) mod 2) = 1 else ((transform_left_filter_column_6_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_122 else (not
-        (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_123 else (not
-        (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_124 else (not
-        (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_125 else (not
-        (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_126 else (not
-        (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_6_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_127 else
-        ((transform_left_filter_column_6_1 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_129 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_6_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_choice_129 when
-        ((transform_left_filter_column_6_2 / 2) mod 2) = 1 else ((transform_left_filter_column_6_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_130 else (not
-        (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_131 else (not
-        (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_132 else (not
-        (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_133 else (not
-        (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_134 else (not
-        (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_6_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_135 else
-        ((transform_left_filter_column_6_2 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_137 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_6_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_choice_137 when
-        ((transform_left_filter_column_6_3 / 2) mod 2) = 1 else ((transform_left_filter_column_6_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_138 else (not
-        (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_139 else (not
-        (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_140 else (not
-        (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_141 else (not
-        (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_142 else (not
-        (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_6_3 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_143 else
-        ((transform_left_filter_column_6_3 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_145 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_6_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_choice_145 when
-        ((transform_left_filter_column_6_4 / 2) mod 2) = 1 else ((transform_left_filter_column_6_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_146 else (not
-        (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_147 else (not
-        (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_148 else (not
-        (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_149 else (not
-        (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_150 else (not
-        (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_6_4 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_151 else
-        ((transform_left_filter_column_6_4 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_153 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_6_5 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_choice_153 when
-        ((transform_left_filter_column_6_5 / 2) mod 2) = 1 else ((transform_left_filter_column_6_5 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_6_5 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_154 else (not
-        (((transform_left_filter_column_6_5 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_6_5 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_155 else (not
-        (((transform_left_filter_column_6_5 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_6_5 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_156 else (not
-        (((transform_left_filter_column_6_5 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_6_5 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_157 else (not
-        (((transform_left_filter_column_6_5 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_6_5 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_158 else (not
-        (((transform_left_filter_column_6_5 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_6_5 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_159 else
-        ((transform_left_filter_column_6_5 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_6_6 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_choice_161 when
-        ((transform_left_filter_column_6_6 / 2) mod 2) = 1 else ((transform_left_filter_column_6_6 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_6_6 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_162 else (not
-        (((transform_left_filter_column_6_6 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_6_6 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_163 else (not
-        (((transform_left_filter_column_6_6 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_6_6 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_164 else (not
-        (((transform_left_filter_column_6_6 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_6_6 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_165 else (not
-        (((transform_left_filter_column_6_6 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_6_6 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_166 else (not
-        (((transform_left_filter_column_6_6 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_6_6 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_167 else
-        ((transform_left_filter_column_6_6 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_5_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_choice_169 when
-        ((transform_left_filter_column_5_0 / 2) mod 2) = 1 else ((transform_left_filter_column_5_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_170 else (not
-        (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_171 else (not
-        (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_172 else (not
-        (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_173 else (not
-        (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_174 else (not
-        (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_5_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_175 else
-        ((transform_left_filter_column_5_0 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_177 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_5_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_choice_177 when
-        ((transform_left_filter_column_5_1 / 2) mod 2) = 1 else ((transform_left_filter_column_5_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_178 else (not
-        (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_179 else (not
-        (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_180 else (not
-        (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_181 else (not
-        (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_182 else (not
-        (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_5_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_183 else
-        ((transform_left_filter_column_5_1 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_185 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_5_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_186 := transform_left_filter_feature_0_choice_185 when
-        ((transform_left_filter_column_5_2 / 2) mod 2) = 1 else ((transform_left_filter_column_5_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_187 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_186 else (not
-        (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_188 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_187 else (not
-        (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_189 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_188 else (not
-        (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_190 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_189 else (not
-        (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_191 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_190 else (not
-        (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_192 := ((transform_left_filter_column_5_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_191 else
-        ((transform_left_filter_column_5_2 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_193 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_5_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193 when
-        ((transform_left_filter_column_5_3 / 2) mod 2) = 1 else ((transform_left_filter_column_5_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_195 := (not (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_194 else (not
-        (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_196 := (not (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_195 else (not
-        (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_197 := (not (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_196 else (not
-        (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_198 := (not (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_197 else (not
-        (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_199 := (not (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_198 else (not
-        (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_200 := ((transform_left_filter_column_5_3 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_199 else
-        ((transform_left_filter_column_5_3 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_201 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_5_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_202 := transform_left_filter_feature_0_choice_201 when
-        ((transform_left_filter_column_5_4 / 2) mod 2) = 1 else ((transform_left_filter_column_5_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_203 := (not (((transform_left_filter_column_5_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_202 else (not
-        (((transform_left_filter_column_5_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_204 := (not (((transform_left_filter_column_5_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_203 else (not
-        (((transform_left_filter_column_5_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_205 := (not (((transform_left_filter_column_5_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_204 else (not
-        (((transform_left_filter_column_5_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_206 := (not (((transform_left_filter_column_5_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_205 else (not
-        (((transform_left_filter_column_5_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_207 := (not (((transform_left_filter_column_5_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_206 else (not
-        (((transform_left_filter_column_5_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_208 := ((transform_left_filter_column_5_4 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_207 else
-        ((transform_left_filter_column_5_4 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_209 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_5_5 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_210 := transform_left_filter_feature_0_choice_209 when
-        ((transform_left_filter_column_5_5 / 2) mod 2) = 1 else ((transform_left_filter_column_5_5 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_211 := (not (((transform_left_filter_column_5_5 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_210 else (not
-        (((transform_left_filter_column_5_5 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_212 := (not (((transform_left_filter_column_5_5 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_211 else (not
-        (((transform_left_filter_column_5_5 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_213 := (not (((transform_left_filter_column_5_5 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_212 else (not
-        (((transform_left_filter_column_5_5 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_214 := (not (((transform_left_filter_column_5_5 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_213 else (not
-        (((transform_left_filter_column_5_5 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_215 := (not (((transform_left_filter_column_5_5 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_214 else (not
-        (((transform_left_filter_column_5_5 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_216 := ((transform_left_filter_column_5_5 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_215 else
-        ((transform_left_filter_column_5_5 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_217 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_5_6 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_218 := transform_left_filter_feature_0_choice_217 when
-        ((transform_left_filter_column_5_6 / 2) mod 2) = 1 else ((transform_left_filter_column_5_6 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_219 := (not (((transform_left_filter_column_5_6 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_218 else (not
-        (((transform_left_filter_column_5_6 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_220 := (not (((transform_left_filter_column_5_6 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_219 else (not
-        (((transform_left_filter_column_5_6 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_221 := (not (((transform_left_filter_column_5_6 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_220 else (not
-        (((transform_left_filter_column_5_6 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_222 := (not (((transform_left_filter_column_5_6 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_221 else (not
-        (((transform_left_filter_column_5_6 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_223 := (not (((transform_left_filter_column_5_6 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_222 else (not
-        (((transform_left_filter_column_5_6 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_224 := ((transform_left_filter_column_5_6 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_223 else
-        ((transform_left_filter_column_5_6 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_225 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_6 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_226 := transform_left_filter_feature_0_choice_225 when
-        ((transform_left_filter_column_4_6 / 2) mod 2) = 1 else ((transform_left_filter_column_4_6 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_227 := (not (((transform_left_filter_column_4_6 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_226 else (not
-        (((transform_left_filter_column_4_6 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_228 := (not (((transform_left_filter_column_4_6 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_227 else (not
-        (((transform_left_filter_column_4_6 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_229 := (not (((transform_left_filter_column_4_6 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_228 else (not
-        (((transform_left_filter_column_4_6 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_230 := (not (((transform_left_filter_column_4_6 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_229 else (not
-        (((transform_left_filter_column_4_6 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_231 := (not (((transform_left_filter_column_4_6 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_230 else (not
-        (((transform_left_filter_column_4_6 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_232 := transform_filtering_0_column_inside_4 and
-        ((transform_left_filter_column_4_6 / 128) = 1) and (not ((transform_left_filter_column_4_3 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_231 else transform_filtering_0_column_inside_4 and
-        (((transform_left_filter_column_4_6 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1)));
-      transform_left_filter_feature_0_choice_233 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_5 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_234 := transform_left_filter_feature_0_choice_233 when
-        ((transform_left_filter_column_4_5 / 2) mod 2) = 1 else ((transform_left_filter_column_4_5 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_235 := (not (((transform_left_filter_column_4_5 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_234 else (not
-        (((transform_left_filter_column_4_5 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_236 := (not (((transform_left_filter_column_4_5 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_235 else (not
-        (((transform_left_filter_column_4_5 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_237 := (not (((transform_left_filter_column_4_5 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_236 else (not
-        (((transform_left_filter_column_4_5 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_238 := (not (((transform_left_filter_column_4_5 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_237 else (not
-        (((transform_left_filter_column_4_5 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_239 := (not (((transform_left_filter_column_4_5 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_238 else (not
-        (((transform_left_filter_column_4_5 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_240 := ((transform_left_filter_column_4_5 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_239 else
-        ((transform_left_filter_column_4_5 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_241 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_242 := transform_left_filter_feature_0_choice_241 when
-        ((transform_left_filter_column_4_4 / 2) mod 2) = 1 else ((transform_left_filter_column_4_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_243 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_242 else (not
-        (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_244 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_243 else (not
-        (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_245 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_244 else (not
-        (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_246 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_245 else (not
-        (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_247 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_246 else (not
-        (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_248 := ((transform_left_filter_column_4_4 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_247 else
-        ((transform_left_filter_column_4_4 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_249 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_250 := transform_left_filter_feature_0_choice_249 when
-        ((transform_left_filter_column_4_2 / 2) mod 2) = 1 else ((transform_left_filter_column_4_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_251 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_250 else (not
-        (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_252 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_251 else (not
-        (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_253 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_252 else (not
-        (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_254 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_253 else (not
-        (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_255 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_254 else (not
-        (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_256 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_255 else
-        ((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_257 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_258 := transform_left_filter_feature_0_choice_257 when
-        ((transform_left_filter_column_4_1 / 2) mod 2) = 1 else ((transform_left_filter_column_4_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_259 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_258 else (not
-        (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_260 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_259 else (not
-        (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_261 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_260 else (not
-        (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_262 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_261 else (not
-        (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_263 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_262 else (not
-        (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_264 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_263 else
-        ((transform_left_filter_column_4_1 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_265 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_266 := transform_left_filter_feature_0_choice_265 when
-        ((transform_left_filter_column_4_0 / 2) mod 2) = 1 else ((transform_left_filter_column_4_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_267 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_266 else (not
-        (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_268 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_267 else (not
-        (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_269 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_268 else (not
-        (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_270 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_269 else (not
-        (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_271 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_270 else (not
-        (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_272 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_271 else
-        ((transform_left_filter_column_4_0 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_273 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_5 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_274 := transform_left_filter_feature_0_choice_273 when
-        ((transform_left_filter_column_3_5 / 2) mod 2) = 1 else ((transform_left_filter_column_3_5 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_275 := (not (((transform_left_filter_column_3_5 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_274 else (not
-        (((transform_left_filter_column_3_5 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_276 := (not (((transform_left_filter_column_3_5 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_275 else (not
-        (((transform_left_filter_column_3_5 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_277 := (not (((transform_left_filter_column_3_5 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_276 else (not
-        (((transform_left_filter_column_3_5 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_278 := (not (((transform_left_filter_column_3_5 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_277 else (not
-        (((transform_left_filter_column_3_5 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_279 := (not (((transform_left_filter_column_3_5 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_278 else (not
-        (((transform_left_filter_column_3_5 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_280 := ((transform_left_filter_column_3_5 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_279 else
-        ((transform_left_filter_column_3_5 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_281 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_6 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_282 := transform_left_filter_feature_0_choice_281 when
-        ((transform_left_filter_column_3_6 / 2) mod 2) = 1 else ((transform_left_filter_column_3_6 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_283 := (not (((transform_left_filter_column_3_6 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_282 else (not
-        (((transform_left_filter_column_3_6 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_284 := (not (((transform_left_filter_column_3_6 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_283 else (not
-        (((transform_left_filter_column_3_6 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_285 := (not (((transform_left_filter_column_3_6 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_284 else (not
-        (((transform_left_filter_column_3_6 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_286 := (not (((transform_left_filter_column_3_6 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_285 else (not
-        (((transform_left_filter_column_3_6 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_287 := (not (((transform_left_filter_column_3_6 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_286 else (not
-        (((transform_left_filter_column_3_6 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_288 := ((transform_left_filter_column_3_6 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_287 else
-        ((transform_left_filter_column_3_6 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_289 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_290 := transform_left_filter_feature_0_choice_289 when
-        ((transform_left_filter_column_3_4 / 2) mod 2) = 1 else ((transform_left_filter_column_3_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_291 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_290 else (not
-        (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_292 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_291 else (not
-        (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_293 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_292 else (not
-        (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_294 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_293 else (not
-        (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_295 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_294 else (not
-        (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_296 := ((transform_left_filter_column_3_4 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_295 else
-        ((transform_left_filter_column_3_4 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_297 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_298 := transform_left_filter_feature_0_choice_297 when
-        ((transform_left_filter_column_3_3 / 2) mod 2) = 1 else ((transform_left_filter_column_3_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_299 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_298 else (not
-        (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_300 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_299 else (not
-        (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_301 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_300 else (not
-        (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_302 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_301 else (not
-        (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_303 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_302 else (not
-        (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_304 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_303 else
-        ((transform_left_filter_column_3_3 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_305 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_306 := transform_left_filter_feature_0_choice_305 when
-        ((transform_left_filter_column_3_2 / 2) mod 2) = 1 else ((transform_left_filter_column_3_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_307 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_306 else (not
-        (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_308 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_307 else (not
-        (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_309 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_308 else (not
-        (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_310 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_309 else (not
-        (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_311 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_310 else (not
-        (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_312 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_311 else
-        ((transform_left_filter_column_3_2 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_313 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_314 := transform_left_filter_feature_0_choice_313 when
-        ((transform_left_filter_column_3_1 / 2) mod 2) = 1 else ((transform_left_filter_column_3_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_315 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_314 else (not
-        (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_316 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_315 else (not
-        (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_317 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_316 else (not
-        (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_318 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_317 else (not
-        (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_319 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_318 else (not
-        (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_320 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_319 else
-        ((transform_left_filter_column_3_1 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_321 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_322 := transform_left_filter_feature_0_choice_321 when
-        ((transform_left_filter_column_3_0 / 2) mod 2) = 1 else ((transform_left_filter_column_3_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_323 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_322 else (not
-        (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_324 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_323 else (not
-        (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_325 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_324 else (not
-        (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_326 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_325 else (not
-        (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_327 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_326 else (not
-        (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_328 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_327 else
-        ((transform_left_filter_column_3_0 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_329 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_5 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_330 := transform_left_filter_feature_0_choice_329 when
-        ((transform_left_filter_column_2_5 / 2) mod 2) = 1 else ((transform_left_filter_column_2_5 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_331 := (not (((transform_left_filter_column_2_5 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_330 else (not
-        (((transform_left_filter_column_2_5 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_332 := (not (((transform_left_filter_column_2_5 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_331 else (not
-        (((transform_left_filter_column_2_5 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_333 := (not (((transform_left_filter_column_2_5 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_332 else (not
-        (((transform_left_filter_column_2_5 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_334 := (not (((transform_left_filter_column_2_5 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_333 else (not
-        (((transform_left_filter_column_2_5 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_335 := (not (((transform_left_filter_column_2_5 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_334 else (not
-        (((transform_left_filter_column_2_5 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_336 := ((transform_left_filter_column_2_5 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_335 else
-        ((transform_left_filter_column_2_5 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_337 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_6 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_338 := transform_left_filter_feature_0_choice_337 when
-        ((transform_left_filter_column_2_6 / 2) mod 2) = 1 else ((transform_left_filter_column_2_6 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_339 := (not (((transform_left_filter_column_2_6 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_338 else (not
-        (((transform_left_filter_column_2_6 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_340 := (not (((transform_left_filter_column_2_6 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_339 else (not
-        (((transform_left_filter_column_2_6 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_341 := (not (((transform_left_filter_column_2_6 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_340 else (not
-        (((transform_left_filter_column_2_6 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_342 := (not (((transform_left_filter_column_2_6 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_341 else (not
-        (((transform_left_filter_column_2_6 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_343 := (not (((transform_left_filter_column_2_6 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_342 else (not
-        (((transform_left_filter_column_2_6 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_344 := ((transform_left_filter_column_2_6 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_343 else
-        ((transform_left_filter_column_2_6 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_345 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_346 := transform_left_filter_feature_0_choice_345 when
-        ((transform_left_filter_column_2_4 / 2) mod 2) = 1 else ((transform_left_filter_column_2_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_347 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_346 else (not
-        (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_348 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_347 else (not
-        (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_349 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_348 else (not
-        (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_350 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_349 else (not
-        (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_351 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_350 else (not
-        (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_352 := ((transform_left_filter_column_2_4 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_351 else
-        ((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_353 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_354 := transform_left_filter_feature_0_choice_353 when
-        ((transform_left_filter_column_2_3 / 2) mod 2) = 1 else ((transform_left_filter_column_2_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_355 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_354 else (not
-        (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_356 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_355 else (not
-        (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_357 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_356 else (not
-        (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_358 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_357 else (not
-        (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_359 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_358 else (not
-        (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_360 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_359 else
-        ((transform_left_filter_column_2_3 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_361 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_362 := transform_left_filter_feature_0_choice_361 when
-        ((transform_left_filter_column_2_2 / 2) mod 2) = 1 else ((transform_left_filter_column_2_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_363 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_362 else (not
-        (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_364 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_363 else (not
-        (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_365 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_364 else (not
-        (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_366 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_365 else (not
-        (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_367 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_366 else (not
-        (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_368 := ((transform_left_filter_column_2_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_367 else
-        ((transform_left_filter_column_2_2 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_369 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_370 := transform_left_filter_feature_0_choice_369 when
-        ((transform_left_filter_column_2_1 / 2) mod 2) = 1 else ((transform_left_filter_column_2_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_371 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_370 else (not
-        (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_372 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_371 else (not
-        (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_373 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_372 else (not
-        (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_374 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_373 else (not
-        (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_375 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_374 else (not
-        (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_376 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_375 else
-        ((transform_left_filter_column_2_1 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_377 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_378 := transform_left_filter_feature_0_choice_377 when
-        ((transform_left_filter_column_2_0 / 2) mod 2) = 1 else ((transform_left_filter_column_2_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_379 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_378 else (not
-        (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_380 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_379 else (not
-        (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_381 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_380 else (not
-        (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_382 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_381 else (not
-        (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_383 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_382 else (not
-        (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_384 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_383 else
-        ((transform_left_filter_column_2_0 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_385 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_5 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_386 := transform_left_filter_feature_0_choice_385 when
-        ((transform_left_filter_column_1_5 / 2) mod 2) = 1 else ((transform_left_filter_column_1_5 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_387 := (not (((transform_left_filter_column_1_5 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_386 else (not
-        (((transform_left_filter_column_1_5 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_388 := (not (((transform_left_filter_column_1_5 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_387 else (not
-        (((transform_left_filter_column_1_5 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_389 := (not (((transform_left_filter_column_1_5 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_388 else (not
-        (((transform_left_filter_column_1_5 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_390 := (not (((transform_left_filter_column_1_5 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_389 else (not
-        (((transform_left_filter_column_1_5 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_391 := (not (((transform_left_filter_column_1_5 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_390 else (not
-        (((transform_left_filter_column_1_5 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_392 := ((transform_left_filter_column_1_5 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_391 else
-        ((transform_left_filter_column_1_5 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_393 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_6 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_394 := transform_left_filter_feature_0_choice_393 when
-        ((transform_left_filter_column_1_6 / 2) mod 2) = 1 else ((transform_left_filter_column_1_6 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_395 := (not (((transform_left_filter_column_1_6 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_394 else (not
-        (((transform_left_filter_column_1_6 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_396 := (not (((transform_left_filter_column_1_6 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_395 else (not
-        (((transform_left_filter_column_1_6 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_397 := (not (((transform_left_filter_column_1_6 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_396 else (not
-        (((transform_left_filter_column_1_6 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_398 := (not (((transform_left_filter_column_1_6 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_397 else (not
-        (((transform_left_filter_column_1_6 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_399 := (not (((transform_left_filter_column_1_6 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_398 else (not
-        (((transform_left_filter_column_1_6 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_400 := ((transform_left_filter_column_1_6 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_399 else
-        ((transform_left_filter_column_1_6 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_401 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_402 := transform_left_filter_feature_0_choice_401 when
-        ((transform_left_filter_column_1_4 / 2) mod 2) = 1 else ((transform_left_filter_column_1_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_403 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_402 else (not
-        (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_404 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_403 else (not
-        (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_405 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_404 else (not
-        (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_406 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_405 else (not
-        (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_407 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_406 else (not
-        (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_408 := ((transform_left_filter_column_1_4 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_407 else
-        ((transform_left_filter_column_1_4 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_409 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_410 := transform_left_filter_feature_0_choice_409 when
-        ((transform_left_filter_column_1_3 / 2) mod 2) = 1 else ((transform_left_filter_column_1_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_411 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_410 else (not
-        (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_412 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_411 else (not
-        (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_413 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_412 else (not
-        (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_414 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_413 else (not
-        (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_415 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_414 else (not
-        (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_416 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_415 else
-        ((transform_left_filter_column_1_3 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_417 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_418 := transform_left_filter_feature_0_choice_417 when
-        ((transform_left_filter_column_1_2 / 2) mod 2) = 1 else ((transform_left_filter_column_1_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_419 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_418 else (not
-        (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_420 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_419 else (not
-        (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_421 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_420 else (not
-        (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_422 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_421 else (not
-        (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_423 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_422 else (not
-        (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_424 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_423 else
-        ((transform_left_filter_column_1_2 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_425 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_426 := transform_left_filter_feature_0_choice_425 when
-        ((transform_left_filter_column_1_1 / 2) mod 2) = 1 else ((transform_left_filter_column_1_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_427 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_426 else (not
-        (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_428 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_427 else (not
-        (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_429 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_428 else (not
-        (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_430 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_429 else (not
-        (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_431 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_430 else (not
-        (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_432 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_431 else
-        ((transform_left_filter_column_1_1 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_433 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_434 := transform_left_filter_feature_0_choice_433 when
-        ((transform_left_filter_column_1_0 / 2) mod 2) = 1 else ((transform_left_filter_column_1_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_435 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_434 else (not
-        (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_436 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_435 else (not
-        (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_437 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_436 else (not
-        (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_438 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_437 else (not
-        (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_439 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_438 else (not
-        (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_440 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_439 else
-        ((transform_left_filter_column_1_0 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_441 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_5 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_442 := transform_left_filter_feature_0_choice_441 when
-        ((transform_left_filter_column_0_5 / 2) mod 2) = 1 else ((transform_left_filter_column_0_5 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_443 := (not (((transform_left_filter_column_0_5 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_442 else (not
-        (((transform_left_filter_column_0_5 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_444 := (not (((transform_left_filter_column_0_5 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_443 else (not
-        (((transform_left_filter_column_0_5 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_445 := (not (((transform_left_filter_column_0_5 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_444 else (not
-        (((transform_left_filter_column_0_5 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_446 := (not (((transform_left_filter_column_0_5 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_445 else (not
-        (((transform_left_filter_column_0_5 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_447 := (not (((transform_left_filter_column_0_5 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_446 else (not
-        (((transform_left_filter_column_0_5 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_448 := ((transform_left_filter_column_0_5 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_447 else
-        ((transform_left_filter_column_0_5 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_449 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_6 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_450 := transform_left_filter_feature_0_choice_449 when
-        ((transform_left_filter_column_0_6 / 2) mod 2) = 1 else ((transform_left_filter_column_0_6 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_451 := (not (((transform_left_filter_column_0_6 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_450 else (not
-        (((transform_left_filter_column_0_6 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_452 := (not (((transform_left_filter_column_0_6 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_451 else (not
-        (((transform_left_filter_column_0_6 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_453 := (not (((transform_left_filter_column_0_6 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_452 else (not
-        (((transform_left_filter_column_0_6 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_454 := (not (((transform_left_filter_column_0_6 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_453 else (not
-        (((transform_left_filter_column_0_6 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_455 := (not (((transform_left_filter_column_0_6 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_454 else (not
-        (((transform_left_filter_column_0_6 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_456 := ((transform_left_filter_column_0_6 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_455 else
-        ((transform_left_filter_column_0_6 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_457 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_458 := transform_left_filter_feature_0_choice_457 when
-        ((transform_left_filter_column_0_4 / 2) mod 2) = 1 else ((transform_left_filter_column_0_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_459 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_458 else (not
-        (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_460 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_459 else (not
-        (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_461 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_460 else (not
-        (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_462 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_461 else (not
-        (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_463 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_462 else (not
-        (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_464 := ((transform_left_filter_column_0_4 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_463 else
-        ((transform_left_filter_column_0_4 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_465 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_466 := transform_left_filter_feature_0_choice_465 when
-        ((transform_left_filter_column_0_3 / 2) mod 2) = 1 else ((transform_left_filter_column_0_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_467 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_466 else (not
-        (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_468 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_467 else (not
-        (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_469 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_468 else (not
-        (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_470 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_469 else (not
-        (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_471 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_470 else (not
-        (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_472 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_471 else
-        ((transform_left_filter_column_0_3 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_473 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_474 := transform_left_filter_feature_0_choice_473 when
-        ((transform_left_filter_column_0_2 / 2) mod 2) = 1 else ((transform_left_filter_column_0_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_475 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_474 else (not
-        (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_476 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_475 else (not
-        (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_477 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_476 else (not
-        (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_478 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_477 else (not
-        (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_479 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_478 else (not
-        (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_480 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_479 else
-        ((transform_left_filter_column_0_2 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_481 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_482 := transform_left_filter_feature_0_choice_481 when
-        ((transform_left_filter_column_0_1 / 2) mod 2) = 1 else ((transform_left_filter_column_0_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_483 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_482 else (not
-        (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_484 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_483 else (not
-        (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_485 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_484 else (not
-        (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_486 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_485 else (not
-        (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_487 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_486 else (not
-        (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_488 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) when transform_left_filter_feature_0_choice_487 else
-        ((transform_left_filter_column_0_1 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1));
-      transform_left_filter_feature_0_choice_489 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1) when
-        (transform_left_filter_column_4_3 mod 2) = 1 else (transform_left_filter_column_0_0 mod 4) = 0;
-      transform_left_filter_feature_0_choice_490 := ((transform_left_filter_column_4_3 mod 2) = 1) or (not
-        (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1))
-        when transform_left_filter_feature_0_value else transform_left_filter_feature_0_choice_489;
+      if transform_left_filter_feature_0_choice_6 then
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_8_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_7 then
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_8_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_8_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_8_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_9 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_8_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9;
+      else
+        transform_left_filter_feature_0_choice_10 := ((transform_left_filter_column_8_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_10 then
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_8_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_11 then
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_8_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_12 then
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_8_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_13 then
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_8_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_14 then
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_8_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_15 then
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_8_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_8_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_8_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_17 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_8_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17;
+      else
+        transform_left_filter_feature_0_choice_18 := ((transform_left_filter_column_8_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_18 then
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_8_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_19 then
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_8_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_20 then
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_8_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_21 then
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_8_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_22 then
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_8_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_23 then
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_8_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_8_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_8_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_25 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_8_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25;
+      else
+        transform_left_filter_feature_0_choice_26 := ((transform_left_filter_column_8_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_26 then
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_8_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_8_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_27 then
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_8_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_8_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_28 then
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_8_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_8_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_29 then
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_8_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_8_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_30 then
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_8_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_8_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_31 then
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_8_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_8_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_8_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_33 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_8_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33;
+      else
+        transform_left_filter_feature_0_choice_34 := ((transform_left_filter_column_8_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_34 then
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_8_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_35 then
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_8_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_36 then
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_8_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_37 then
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_8_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_38 then
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_8_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_39 then
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_8_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_8_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_8_5 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_41 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_8_5 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41;
+      else
+        transform_left_filter_feature_0_choice_42 := ((transform_left_filter_column_8_5 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_42 then
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_8_5 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_8_5 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_43 then
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_8_5 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_8_5 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_44 then
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_8_5 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_8_5 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_45 then
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_8_5 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_8_5 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_46 then
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_8_5 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_8_5 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_47 then
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_8_5 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_8_5 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_8_6 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_49 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_8_6 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49;
+      else
+        transform_left_filter_feature_0_choice_50 := ((transform_left_filter_column_8_6 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_50 then
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_8_6 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_8_6 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_51 then
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_8_6 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_8_6 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_52 then
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_8_6 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_8_6 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_53 then
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_8_6 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_8_6 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_54 then
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_8_6 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_8_6 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_55 then
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_8_6 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_8_6 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_7_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_57 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_7_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57;
+      else
+        transform_left_filter_feature_0_choice_58 := ((transform_left_filter_column_7_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_58 then
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_7_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_59 then
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_7_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_60 then
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_7_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_61 then
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_7_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_62 then
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_7_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_63 then
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_7_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_7_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_7_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_65 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_7_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65;
+      else
+        transform_left_filter_feature_0_choice_66 := ((transform_left_filter_column_7_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_66 then
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_7_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_67 then
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_7_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_68 then
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_7_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_69 then
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_7_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_70 then
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_7_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_71 then
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_7_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_7_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_7_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_73 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_7_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73;
+      else
+        transform_left_filter_feature_0_choice_74 := ((transform_left_filter_column_7_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_74 then
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_7_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_75 then
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_7_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_76 then
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_7_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_77 then
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_7_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_78 then
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_7_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_79 then
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_7_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_7_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_7_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_81 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_7_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81;
+      else
+        transform_left_filter_feature_0_choice_82 := ((transform_left_filter_column_7_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_82 then
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_7_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_7_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_83 then
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_7_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_7_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_84 then
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_7_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_7_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_85 then
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_7_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_7_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_86 then
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_7_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_7_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_87 then
+        transform_left_filter_feature_0_choice_88 := ((transform_left_filter_column_7_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_88 := ((transform_left_filter_column_7_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_7_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_89 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_7_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_choice_89;
+      else
+        transform_left_filter_feature_0_choice_90 := ((transform_left_filter_column_7_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_90 then
+        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_7_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_7_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_91 then
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_7_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_7_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_92 then
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_7_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_7_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_93 then
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_7_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_7_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_94 then
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_7_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_7_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_95 then
+        transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_7_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_7_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_7_5 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_97 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_7_5 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_choice_97;
+      else
+        transform_left_filter_feature_0_choice_98 := ((transform_left_filter_column_7_5 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_98 then
+        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_7_5 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_7_5 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_99 then
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_7_5 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_7_5 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_100 then
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_7_5 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_7_5 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_101 then
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_7_5 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_7_5 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_102 then
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_7_5 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_7_5 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_103 then
+        transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_7_5 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_7_5 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_7_6 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_105 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_7_6 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105;
+      else
+        transform_left_filter_feature_0_choice_106 := ((transform_left_filter_column_7_6 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_106 then
+        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_7_6 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_7_6 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_107 then
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_7_6 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_7_6 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_108 then
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_7_6 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_7_6 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_109 then
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_7_6 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_7_6 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_110 then
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_7_6 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_7_6 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_111 then
+        transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_7_6 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_7_6 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_6_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_113 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_choice_113;
+      else
+        transform_left_filter_feature_0_choice_114 := ((transform_left_filter_column_6_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_114 then
+        transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_6_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_115 then
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_6_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_116 then
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_6_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_117 then
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_6_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_118 then
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_6_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_119 then
+        transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_6_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_6_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_6_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_121 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_121 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_choice_121;
+      else
+        transform_left_filter_feature_0_choice_122 := ((transform_left_filter_column_6_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_122 then
+        transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_6_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_123 then
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_6_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_124 then
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_6_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_125 then
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_6_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_126 then
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_6_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_127 then
+        transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_6_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_6_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_6_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_129 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_129 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_choice_129;
+      else
+        transform_left_filter_feature_0_choice_130 := ((transform_left_filter_column_6_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_130 then
+        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_6_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_131 then
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_6_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_132 then
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_6_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_133 then
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_6_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_134 then
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_6_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_135 then
+        transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_6_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_6_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_6_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_137 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_137 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_choice_137;
+      else
+        transform_left_filter_feature_0_choice_138 := ((transform_left_filter_column_6_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_138 then
+        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_6_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_139 then
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_6_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_140 then
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_6_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_141 then
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_6_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_142 then
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_6_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_143 then
+        transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_6_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_6_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_6_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_145 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_145 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_choice_145;
+      else
+        transform_left_filter_feature_0_choice_146 := ((transform_left_filter_column_6_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_146 then
+        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_6_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_147 then
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_6_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_148 then
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_6_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_149 then
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_6_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_150 then
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_6_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_151 then
+        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_6_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_6_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_6_5 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_153 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_153 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_5 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_choice_153;
+      else
+        transform_left_filter_feature_0_choice_154 := ((transform_left_filter_column_6_5 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_154 then
+        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_6_5 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_6_5 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_155 then
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_6_5 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_6_5 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_156 then
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_6_5 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_6_5 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_157 then
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_6_5 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_6_5 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_158 then
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_6_5 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_6_5 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_159 then
+        transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_6_5 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_6_5 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_6_6 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_161 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_6_6 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_choice_161;
+      else
+        transform_left_filter_feature_0_choice_162 := ((transform_left_filter_column_6_6 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_162 then
+        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_6_6 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_6_6 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_163 then
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_6_6 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_6_6 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_164 then
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_6_6 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_6_6 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_165 then
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_6_6 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_6_6 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_166 then
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_6_6 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_6_6 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_167 then
+        transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_6_6 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_6_6 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_169 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_5_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_choice_169;
+      else
+        transform_left_filter_feature_0_choice_170 := ((transform_left_filter_column_5_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_170 then
+        transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_5_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_171 then
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_5_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_172 then
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_5_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_173 then
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_5_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_174 then
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_5_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_175 then
+        transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_5_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_5_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_177 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_177 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_5_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_choice_177;
+      else
+        transform_left_filter_feature_0_choice_178 := ((transform_left_filter_column_5_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_178 then
+        transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_5_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_179 then
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_5_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_180 then
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_5_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_181 then
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_5_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_182 then
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_5_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_183 then
+        transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_5_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_5_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_185 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_185 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_5_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_186 := transform_left_filter_feature_0_choice_185;
+      else
+        transform_left_filter_feature_0_choice_186 := ((transform_left_filter_column_5_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_186 then
+        transform_left_filter_feature_0_choice_187 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_187 := (not (((transform_left_filter_column_5_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_187 then
+        transform_left_filter_feature_0_choice_188 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_188 := (not (((transform_left_filter_column_5_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_188 then
+        transform_left_filter_feature_0_choice_189 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_189 := (not (((transform_left_filter_column_5_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_189 then
+        transform_left_filter_feature_0_choice_190 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_190 := (not (((transform_left_filter_column_5_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_190 then
+        transform_left_filter_feature_0_choice_191 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_191 := (not (((transform_left_filter_column_5_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_191 then
+        transform_left_filter_feature_0_choice_192 := ((transform_left_filter_column_5_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_192 := ((transform_left_filter_column_5_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_193 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_193 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_5_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_194 := transform_left_filter_feature_0_choice_193;
+      else
+        transform_left_filter_feature_0_choice_194 := ((transform_left_filter_column_5_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_194 then
+        transform_left_filter_feature_0_choice_195 := (not (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_195 := (not (((transform_left_filter_column_5_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_195 then
+        transform_left_filter_feature_0_choice_196 := (not (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_196 := (not (((transform_left_filter_column_5_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_196 then
+        transform_left_filter_feature_0_choice_197 := (not (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_197 := (not (((transform_left_filter_column_5_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_197 then
+        transform_left_filter_feature_0_choice_198 := (not (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_198 := (not (((transform_left_filter_column_5_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_198 then
+        transform_left_filter_feature_0_choice_199 := (not (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_199 := (not (((transform_left_filter_column_5_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_199 then
+        transform_left_filter_feature_0_choice_200 := ((transform_left_filter_column_5_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_200 := ((transform_left_filter_column_5_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_201 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_201 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_5_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_202 := transform_left_filter_feature_0_choice_201;
+      else
+        transform_left_filter_feature_0_choice_202 := ((transform_left_filter_column_5_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_202 then
+        transform_left_filter_feature_0_choice_203 := (not (((transform_left_filter_column_5_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_203 := (not (((transform_left_filter_column_5_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_203 then
+        transform_left_filter_feature_0_choice_204 := (not (((transform_left_filter_column_5_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_204 := (not (((transform_left_filter_column_5_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_204 then
+        transform_left_filter_feature_0_choice_205 := (not (((transform_left_filter_column_5_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_205 := (not (((transform_left_filter_column_5_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_205 then
+        transform_left_filter_feature_0_choice_206 := (not (((transform_left_filter_column_5_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_206 := (not (((transform_left_filter_column_5_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_206 then
+        transform_left_filter_feature_0_choice_207 := (not (((transform_left_filter_column_5_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_207 := (not (((transform_left_filter_column_5_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_207 then
+        transform_left_filter_feature_0_choice_208 := ((transform_left_filter_column_5_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_208 := ((transform_left_filter_column_5_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_5 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_209 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_209 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_5_5 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_210 := transform_left_filter_feature_0_choice_209;
+      else
+        transform_left_filter_feature_0_choice_210 := ((transform_left_filter_column_5_5 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_210 then
+        transform_left_filter_feature_0_choice_211 := (not (((transform_left_filter_column_5_5 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_211 := (not (((transform_left_filter_column_5_5 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_211 then
+        transform_left_filter_feature_0_choice_212 := (not (((transform_left_filter_column_5_5 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_212 := (not (((transform_left_filter_column_5_5 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_212 then
+        transform_left_filter_feature_0_choice_213 := (not (((transform_left_filter_column_5_5 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_213 := (not (((transform_left_filter_column_5_5 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_213 then
+        transform_left_filter_feature_0_choice_214 := (not (((transform_left_filter_column_5_5 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_214 := (not (((transform_left_filter_column_5_5 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_214 then
+        transform_left_filter_feature_0_choice_215 := (not (((transform_left_filter_column_5_5 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_215 := (not (((transform_left_filter_column_5_5 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_215 then
+        transform_left_filter_feature_0_choice_216 := ((transform_left_filter_column_5_5 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_216 := ((transform_left_filter_column_5_5 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_5_6 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_217 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_217 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_5_6 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_218 := transform_left_filter_feature_0_choice_217;
+      else
+        transform_left_filter_feature_0_choice_218 := ((transform_left_filter_column_5_6 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_218 then
+        transform_left_filter_feature_0_choice_219 := (not (((transform_left_filter_column_5_6 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_219 := (not (((transform_left_filter_column_5_6 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_219 then
+        transform_left_filter_feature_0_choice_220 := (not (((transform_left_filter_column_5_6 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_220 := (not (((transform_left_filter_column_5_6 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_220 then
+        transform_left_filter_feature_0_choice_221 := (not (((transform_left_filter_column_5_6 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_221 := (not (((transform_left_filter_column_5_6 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_221 then
+        transform_left_filter_feature_0_choice_222 := (not (((transform_left_filter_column_5_6 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_222 := (not (((transform_left_filter_column_5_6 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_222 then
+        transform_left_filter_feature_0_choice_223 := (not (((transform_left_filter_column_5_6 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_223 := (not (((transform_left_filter_column_5_6 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_223 then
+        transform_left_filter_feature_0_choice_224 := ((transform_left_filter_column_5_6 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_224 := ((transform_left_filter_column_5_6 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_6 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_225 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_225 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_6 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_226 := transform_left_filter_feature_0_choice_225;
+      else
+        transform_left_filter_feature_0_choice_226 := ((transform_left_filter_column_4_6 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_226 then
+        transform_left_filter_feature_0_choice_227 := (not (((transform_left_filter_column_4_6 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_227 := (not (((transform_left_filter_column_4_6 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_227 then
+        transform_left_filter_feature_0_choice_228 := (not (((transform_left_filter_column_4_6 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_228 := (not (((transform_left_filter_column_4_6 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_228 then
+        transform_left_filter_feature_0_choice_229 := (not (((transform_left_filter_column_4_6 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_229 := (not (((transform_left_filter_column_4_6 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_229 then
+        transform_left_filter_feature_0_choice_230 := (not (((transform_left_filter_column_4_6 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_230 := (not (((transform_left_filter_column_4_6 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_230 then
+        transform_left_filter_feature_0_choice_231 := (not (((transform_left_filter_column_4_6 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_231 := (not (((transform_left_filter_column_4_6 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_231 then
+        transform_left_filter_feature_0_choice_232 := transform_filtering_0_column_inside_4 and
+          ((transform_left_filter_column_4_6 / 128) = 1) and (not ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_232 := transform_filtering_0_column_inside_4 and
+          (((transform_left_filter_column_4_6 / 128) = 1) or (not ((transform_left_filter_column_4_3 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_4_5 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_233 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_233 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_5 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_234 := transform_left_filter_feature_0_choice_233;
+      else
+        transform_left_filter_feature_0_choice_234 := ((transform_left_filter_column_4_5 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_234 then
+        transform_left_filter_feature_0_choice_235 := (not (((transform_left_filter_column_4_5 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_235 := (not (((transform_left_filter_column_4_5 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_235 then
+        transform_left_filter_feature_0_choice_236 := (not (((transform_left_filter_column_4_5 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_236 := (not (((transform_left_filter_column_4_5 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_236 then
+        transform_left_filter_feature_0_choice_237 := (not (((transform_left_filter_column_4_5 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_237 := (not (((transform_left_filter_column_4_5 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_237 then
+        transform_left_filter_feature_0_choice_238 := (not (((transform_left_filter_column_4_5 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_238 := (not (((transform_left_filter_column_4_5 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_238 then
+        transform_left_filter_feature_0_choice_239 := (not (((transform_left_filter_column_4_5 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_239 := (not (((transform_left_filter_column_4_5 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_239 then
+        transform_left_filter_feature_0_choice_240 := ((transform_left_filter_column_4_5 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_240 := ((transform_left_filter_column_4_5 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_241 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_241 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_242 := transform_left_filter_feature_0_choice_241;
+      else
+        transform_left_filter_feature_0_choice_242 := ((transform_left_filter_column_4_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_242 then
+        transform_left_filter_feature_0_choice_243 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_243 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_243 then
+        transform_left_filter_feature_0_choice_244 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_244 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_244 then
+        transform_left_filter_feature_0_choice_245 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_245 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_245 then
+        transform_left_filter_feature_0_choice_246 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_246 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_246 then
+        transform_left_filter_feature_0_choice_247 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_247 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_247 then
+        transform_left_filter_feature_0_choice_248 := ((transform_left_filter_column_4_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_248 := ((transform_left_filter_column_4_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_249 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_249 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_250 := transform_left_filter_feature_0_choice_249;
+      else
+        transform_left_filter_feature_0_choice_250 := ((transform_left_filter_column_4_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_250 then
+        transform_left_filter_feature_0_choice_251 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_251 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_251 then
+        transform_left_filter_feature_0_choice_252 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_252 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_252 then
+        transform_left_filter_feature_0_choice_253 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_253 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_253 then
+        transform_left_filter_feature_0_choice_254 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_254 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_254 then
+        transform_left_filter_feature_0_choice_255 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_255 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_255 then
+        transform_left_filter_feature_0_choice_256 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_256 := ((transform_left_filter_column_4_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_257 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_257 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_258 := transform_left_filter_feature_0_choice_257;
+      else
+        transform_left_filter_feature_0_choice_258 := ((transform_left_filter_column_4_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_258 then
+        transform_left_filter_feature_0_choice_259 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_259 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_259 then
+        transform_left_filter_feature_0_choice_260 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_260 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_260 then
+        transform_left_filter_feature_0_choice_261 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_261 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_261 then
+        transform_left_filter_feature_0_choice_262 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_262 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_262 then
+        transform_left_filter_feature_0_choice_263 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_263 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_263 then
+        transform_left_filter_feature_0_choice_264 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_264 := ((transform_left_filter_column_4_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_265 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_265 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_266 := transform_left_filter_feature_0_choice_265;
+      else
+        transform_left_filter_feature_0_choice_266 := ((transform_left_filter_column_4_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_266 then
+        transform_left_filter_feature_0_choice_267 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_267 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_267 then
+        transform_left_filter_feature_0_choice_268 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_268 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_268 then
+        transform_left_filter_feature_0_choice_269 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_269 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_269 then
+        transform_left_filter_feature_0_choice_270 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_270 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_270 then
+        transform_left_filter_feature_0_choice_271 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_271 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_271 then
+        transform_left_filter_feature_0_choice_272 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_272 := ((transform_left_filter_column_4_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_5 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_273 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_273 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_5 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_274 := transform_left_filter_feature_0_choice_273;
+      else
+        transform_left_filter_feature_0_choice_274 := ((transform_left_filter_column_3_5 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_274 then
+        transform_left_filter_feature_0_choice_275 := (not (((transform_left_filter_column_3_5 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_275 := (not (((transform_left_filter_column_3_5 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_275 then
+        transform_left_filter_feature_0_choice_276 := (not (((transform_left_filter_column_3_5 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_276 := (not (((transform_left_filter_column_3_5 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_276 then
+        transform_left_filter_feature_0_choice_277 := (not (((transform_left_filter_column_3_5 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_277 := (not (((transform_left_filter_column_3_5 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_277 then
+        transform_left_filter_feature_0_choice_278 := (not (((transform_left_filter_column_3_5 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_278 := (not (((transform_left_filter_column_3_5 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_278 then
+        transform_left_filter_feature_0_choice_279 := (not (((transform_left_filter_column_3_5 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_279 := (not (((transform_left_filter_column_3_5 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_279 then
+        transform_left_filter_feature_0_choice_280 := ((transform_left_filter_column_3_5 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_280 := ((transform_left_filter_column_3_5 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_6 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_281 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_281 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_6 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_282 := transform_left_filter_feature_0_choice_281;
+      else
+        transform_left_filter_feature_0_choice_282 := ((transform_left_filter_column_3_6 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_282 then
+        transform_left_filter_feature_0_choice_283 := (not (((transform_left_filter_column_3_6 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_283 := (not (((transform_left_filter_column_3_6 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_283 then
+        transform_left_filter_feature_0_choice_284 := (not (((transform_left_filter_column_3_6 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_284 := (not (((transform_left_filter_column_3_6 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_284 then
+        transform_left_filter_feature_0_choice_285 := (not (((transform_left_filter_column_3_6 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_285 := (not (((transform_left_filter_column_3_6 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_285 then
+        transform_left_filter_feature_0_choice_286 := (not (((transform_left_filter_column_3_6 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_286 := (not (((transform_left_filter_column_3_6 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_286 then
+        transform_left_filter_feature_0_choice_287 := (not (((transform_left_filter_column_3_6 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_287 := (not (((transform_left_filter_column_3_6 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_287 then
+        transform_left_filter_feature_0_choice_288 := ((transform_left_filter_column_3_6 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_288 := ((transform_left_filter_column_3_6 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_289 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_289 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_290 := transform_left_filter_feature_0_choice_289;
+      else
+        transform_left_filter_feature_0_choice_290 := ((transform_left_filter_column_3_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_290 then
+        transform_left_filter_feature_0_choice_291 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_291 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_291 then
+        transform_left_filter_feature_0_choice_292 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_292 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_292 then
+        transform_left_filter_feature_0_choice_293 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_293 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_293 then
+        transform_left_filter_feature_0_choice_294 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_294 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_294 then
+        transform_left_filter_feature_0_choice_295 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_295 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_295 then
+        transform_left_filter_feature_0_choice_296 := ((transform_left_filter_column_3_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_296 := ((transform_left_filter_column_3_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_297 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_297 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_298 := transform_left_filter_feature_0_choice_297;
+      else
+        transform_left_filter_feature_0_choice_298 := ((transform_left_filter_column_3_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_298 then
+        transform_left_filter_feature_0_choice_299 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_299 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_299 then
+        transform_left_filter_feature_0_choice_300 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_300 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_300 then
+        transform_left_filter_feature_0_choice_301 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_301 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_301 then
+        transform_left_filter_feature_0_choice_302 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_302 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_302 then
+        transform_left_filter_feature_0_choice_303 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_303 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_303 then
+        transform_left_filter_feature_0_choice_304 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_304 := ((transform_left_filter_column_3_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_305 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_305 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_306 := transform_left_filter_feature_0_choice_305;
+      else
+        transform_left_filter_feature_0_choice_306 := ((transform_left_filter_column_3_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_306 then
+        transform_left_filter_feature_0_choice_307 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_307 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_307 then
+        transform_left_filter_feature_0_choice_308 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_308 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_308 then
+        transform_left_filter_feature_0_choice_309 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_309 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_309 then
+        transform_left_filter_feature_0_choice_310 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_310 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_310 then
+        transform_left_filter_feature_0_choice_311 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_311 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_311 then
+        transform_left_filter_feature_0_choice_312 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_312 := ((transform_left_filter_column_3_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_313 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_313 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_314 := transform_left_filter_feature_0_choice_313;
+      else
+        transform_left_filter_feature_0_choice_314 := ((transform_left_filter_column_3_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_314 then
+        transform_left_filter_feature_0_choice_315 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_315 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_315 then
+        transform_left_filter_feature_0_choice_316 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_316 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_316 then
+        transform_left_filter_feature_0_choice_317 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_317 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_317 then
+        transform_left_filter_feature_0_choice_318 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_318 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_318 then
+        transform_left_filter_feature_0_choice_319 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_319 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_319 then
+        transform_left_filter_feature_0_choice_320 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_320 := ((transform_left_filter_column_3_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_321 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_321 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_322 := transform_left_filter_feature_0_choice_321;
+      else
+        transform_left_filter_feature_0_choice_322 := ((transform_left_filter_column_3_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_322 then
+        transform_left_filter_feature_0_choice_323 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_323 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_323 then
+        transform_left_filter_feature_0_choice_324 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_324 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_324 then
+        transform_left_filter_feature_0_choice_325 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_325 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_325 then
+        transform_left_filter_feature_0_choice_326 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_326 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_326 then
+        transform_left_filter_feature_0_choice_327 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_327 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_327 then
+        transform_left_filter_feature_0_choice_328 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_328 := ((transform_left_filter_column_3_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_5 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_329 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_329 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_5 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_330 := transform_left_filter_feature_0_choice_329;
+      else
+        transform_left_filter_feature_0_choice_330 := ((transform_left_filter_column_2_5 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_330 then
+        transform_left_filter_feature_0_choice_331 := (not (((transform_left_filter_column_2_5 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_331 := (not (((transform_left_filter_column_2_5 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_331 then
+        transform_left_filter_feature_0_choice_332 := (not (((transform_left_filter_column_2_5 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_332 := (not (((transform_left_filter_column_2_5 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_332 then
+        transform_left_filter_feature_0_choice_333 := (not (((transform_left_filter_column_2_5 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_333 := (not (((transform_left_filter_column_2_5 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_333 then
+        transform_left_filter_feature_0_choice_334 := (not (((transform_left_filter_column_2_5 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_334 := (not (((transform_left_filter_column_2_5 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_334 then
+        transform_left_filter_feature_0_choice_335 := (not (((transform_left_filter_column_2_5 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_335 := (not (((transform_left_filter_column_2_5 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_335 then
+        transform_left_filter_feature_0_choice_336 := ((transform_left_filter_column_2_5 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_336 := ((transform_left_filter_column_2_5 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_6 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_337 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_337 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_6 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_338 := transform_left_filter_feature_0_choice_337;
+      else
+        transform_left_filter_feature_0_choice_338 := ((transform_left_filter_column_2_6 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_338 then
+        transform_left_filter_feature_0_choice_339 := (not (((transform_left_filter_column_2_6 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_339 := (not (((transform_left_filter_column_2_6 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_339 then
+        transform_left_filter_feature_0_choice_340 := (not (((transform_left_filter_column_2_6 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_340 := (not (((transform_left_filter_column_2_6 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_340 then
+        transform_left_filter_feature_0_choice_341 := (not (((transform_left_filter_column_2_6 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_341 := (not (((transform_left_filter_column_2_6 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_341 then
+        transform_left_filter_feature_0_choice_342 := (not (((transform_left_filter_column_2_6 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_342 := (not (((transform_left_filter_column_2_6 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_342 then
+        transform_left_filter_feature_0_choice_343 := (not (((transform_left_filter_column_2_6 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_343 := (not (((transform_left_filter_column_2_6 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_343 then
+        transform_left_filter_feature_0_choice_344 := ((transform_left_filter_column_2_6 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_344 := ((transform_left_filter_column_2_6 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_345 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_345 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_346 := transform_left_filter_feature_0_choice_345;
+      else
+        transform_left_filter_feature_0_choice_346 := ((transform_left_filter_column_2_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_346 then
+        transform_left_filter_feature_0_choice_347 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_347 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_347 then
+        transform_left_filter_feature_0_choice_348 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_348 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_348 then
+        transform_left_filter_feature_0_choice_349 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_349 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_349 then
+        transform_left_filter_feature_0_choice_350 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_350 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_350 then
+        transform_left_filter_feature_0_choice_351 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_351 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_351 then
+        transform_left_filter_feature_0_choice_352 := ((transform_left_filter_column_2_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_352 := ((transform_left_filter_column_2_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_353 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_353 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_354 := transform_left_filter_feature_0_choice_353;
+      else
+        transform_left_filter_feature_0_choice_354 := ((transform_left_filter_column_2_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_354 then
+        transform_left_filter_feature_0_choice_355 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_355 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_355 then
+        transform_left_filter_feature_0_choice_356 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_356 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_356 then
+        transform_left_filter_feature_0_choice_357 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_357 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_357 then
+        transform_left_filter_feature_0_choice_358 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_358 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_358 then
+        transform_left_filter_feature_0_choice_359 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_359 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_359 then
+        transform_left_filter_feature_0_choice_360 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_360 := ((transform_left_filter_column_2_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_361 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_361 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_362 := transform_left_filter_feature_0_choice_361;
+      else
+        transform_left_filter_feature_0_choice_362 := ((transform_left_filter_column_2_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_362 then
+        transform_left_filter_feature_0_choice_363 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_363 := (not (((transform_left_filter_column_2_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_363 then
+        transform_left_filter_feature_0_choice_364 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_364 := (not (((transform_left_filter_column_2_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_364 then
+        transform_left_filter_feature_0_choice_365 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_365 := (not (((transform_left_filter_column_2_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_365 then
+        transform_left_filter_feature_0_choice_366 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_366 := (not (((transform_left_filter_column_2_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_366 then
+        transform_left_filter_feature_0_choice_367 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_367 := (not (((transform_left_filter_column_2_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_367 then
+        transform_left_filter_feature_0_choice_368 := ((transform_left_filter_column_2_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_368 := ((transform_left_filter_column_2_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_369 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_369 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_370 := transform_left_filter_feature_0_choice_369;
+      else
+        transform_left_filter_feature_0_choice_370 := ((transform_left_filter_column_2_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_370 then
+        transform_left_filter_feature_0_choice_371 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_371 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_371 then
+        transform_left_filter_feature_0_choice_372 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_372 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_372 then
+        transform_left_filter_feature_0_choice_373 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_373 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_373 then
+        transform_left_filter_feature_0_choice_374 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_374 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_374 then
+        transform_left_filter_feature_0_choice_375 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_375 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_375 then
+        transform_left_filter_feature_0_choice_376 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_376 := ((transform_left_filter_column_2_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_377 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_377 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_378 := transform_left_filter_feature_0_choice_377;
+      else
+        transform_left_filter_feature_0_choice_378 := ((transform_left_filter_column_2_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_378 then
+        transform_left_filter_feature_0_choice_379 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_379 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_379 then
+        transform_left_filter_feature_0_choice_380 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_380 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_380 then
+        transform_left_filter_feature_0_choice_381 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_381 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_381 then
+        transform_left_filter_feature_0_choice_382 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_382 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_382 then
+        transform_left_filter_feature_0_choice_383 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_383 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_383 then
+        transform_left_filter_feature_0_choice_384 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_384 := ((transform_left_filter_column_2_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_5 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_385 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_385 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_5 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_386 := transform_left_filter_feature_0_choice_385;
+      else
+        transform_left_filter_feature_0_choice_386 := ((transform_left_filter_column_1_5 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_386 then
+        transform_left_filter_feature_0_choice_387 := (not (((transform_left_filter_column_1_5 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_387 := (not (((transform_left_filter_column_1_5 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_387 then
+        transform_left_filter_feature_0_choice_388 := (not (((transform_left_filter_column_1_5 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_388 := (not (((transform_left_filter_column_1_5 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_388 then
+        transform_left_filter_feature_0_choice_389 := (not (((transform_left_filter_column_1_5 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_389 := (not (((transform_left_filter_column_1_5 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_389 then
+        transform_left_filter_feature_0_choice_390 := (not (((transform_left_filter_column_1_5 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_390 := (not (((transform_left_filter_column_1_5 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_390 then
+        transform_left_filter_feature_0_choice_391 := (not (((transform_left_filter_column_1_5 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_391 := (not (((transform_left_filter_column_1_5 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_391 then
+        transform_left_filter_feature_0_choice_392 := ((transform_left_filter_column_1_5 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_392 := ((transform_left_filter_column_1_5 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_6 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_393 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_393 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_6 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_394 := transform_left_filter_feature_0_choice_393;
+      else
+        transform_left_filter_feature_0_choice_394 := ((transform_left_filter_column_1_6 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_394 then
+        transform_left_filter_feature_0_choice_395 := (not (((transform_left_filter_column_1_6 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_395 := (not (((transform_left_filter_column_1_6 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_395 then
+        transform_left_filter_feature_0_choice_396 := (not (((transform_left_filter_column_1_6 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_396 := (not (((transform_left_filter_column_1_6 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_396 then
+        transform_left_filter_feature_0_choice_397 := (not (((transform_left_filter_column_1_6 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_397 := (not (((transform_left_filter_column_1_6 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_397 then
+        transform_left_filter_feature_0_choice_398 := (not (((transform_left_filter_column_1_6 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_398 := (not (((transform_left_filter_column_1_6 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_398 then
+        transform_left_filter_feature_0_choice_399 := (not (((transform_left_filter_column_1_6 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_399 := (not (((transform_left_filter_column_1_6 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_399 then
+        transform_left_filter_feature_0_choice_400 := ((transform_left_filter_column_1_6 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_400 := ((transform_left_filter_column_1_6 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_401 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_401 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_402 := transform_left_filter_feature_0_choice_401;
+      else
+        transform_left_filter_feature_0_choice_402 := ((transform_left_filter_column_1_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_402 then
+        transform_left_filter_feature_0_choice_403 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_403 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_403 then
+        transform_left_filter_feature_0_choice_404 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_404 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_404 then
+        transform_left_filter_feature_0_choice_405 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_405 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_405 then
+        transform_left_filter_feature_0_choice_406 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_406 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_406 then
+        transform_left_filter_feature_0_choice_407 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_407 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_407 then
+        transform_left_filter_feature_0_choice_408 := ((transform_left_filter_column_1_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_408 := ((transform_left_filter_column_1_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_409 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_409 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_410 := transform_left_filter_feature_0_choice_409;
+      else
+        transform_left_filter_feature_0_choice_410 := ((transform_left_filter_column_1_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_410 then
+        transform_left_filter_feature_0_choice_411 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_411 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_411 then
+        transform_left_filter_feature_0_choice_412 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_412 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_412 then
+        transform_left_filter_feature_0_choice_413 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_413 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_413 then
+        transform_left_filter_feature_0_choice_414 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_414 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_414 then
+        transform_left_filter_feature_0_choice_415 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_415 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_415 then
+        transform_left_filter_feature_0_choice_416 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_416 := ((transform_left_filter_column_1_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_417 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_417 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_418 := transform_left_filter_feature_0_choice_417;
+      else
+        transform_left_filter_feature_0_choice_418 := ((transform_left_filter_column_1_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_418 then
+        transform_left_filter_feature_0_choice_419 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_419 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_419 then
+        transform_left_filter_feature_0_choice_420 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_420 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_420 then
+        transform_left_filter_feature_0_choice_421 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_421 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_421 then
+        transform_left_filter_feature_0_choice_422 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_422 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_422 then
+        transform_left_filter_feature_0_choice_423 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_423 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_423 then
+        transform_left_filter_feature_0_choice_424 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_424 := ((transform_left_filter_column_1_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_425 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_425 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_426 := transform_left_filter_feature_0_choice_425;
+      else
+        transform_left_filter_feature_0_choice_426 := ((transform_left_filter_column_1_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_426 then
+        transform_left_filter_feature_0_choice_427 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_427 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_427 then
+        transform_left_filter_feature_0_choice_428 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_428 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_428 then
+        transform_left_filter_feature_0_choice_429 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_429 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_429 then
+        transform_left_filter_feature_0_choice_430 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_430 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_430 then
+        transform_left_filter_feature_0_choice_431 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_431 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_431 then
+        transform_left_filter_feature_0_choice_432 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_432 := ((transform_left_filter_column_1_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_433 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_433 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_434 := transform_left_filter_feature_0_choice_433;
+      else
+        transform_left_filter_feature_0_choice_434 := ((transform_left_filter_column_1_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_434 then
+        transform_left_filter_feature_0_choice_435 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_435 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_435 then
+        transform_left_filter_feature_0_choice_436 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_436 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_436 then
+        transform_left_filter_feature_0_choice_437 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_437 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_437 then
+        transform_left_filter_feature_0_choice_438 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_438 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_438 then
+        transform_left_filter_feature_0_choice_439 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_439 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_439 then
+        transform_left_filter_feature_0_choice_440 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_440 := ((transform_left_filter_column_1_0 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_5 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_441 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_441 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_5 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_442 := transform_left_filter_feature_0_choice_441;
+      else
+        transform_left_filter_feature_0_choice_442 := ((transform_left_filter_column_0_5 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_442 then
+        transform_left_filter_feature_0_choice_443 := (not (((transform_left_filter_column_0_5 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_443 := (not (((transform_left_filter_column_0_5 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_443 then
+        transform_left_filter_feature_0_choice_444 := (not (((transform_left_filter_column_0_5 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_444 := (not (((transform_left_filter_column_0_5 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_444 then
+        transform_left_filter_feature_0_choice_445 := (not (((transform_left_filter_column_0_5 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_445 := (not (((transform_left_filter_column_0_5 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_445 then
+        transform_left_filter_feature_0_choice_446 := (not (((transform_left_filter_column_0_5 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_446 := (not (((transform_left_filter_column_0_5 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_446 then
+        transform_left_filter_feature_0_choice_447 := (not (((transform_left_filter_column_0_5 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_447 := (not (((transform_left_filter_column_0_5 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_447 then
+        transform_left_filter_feature_0_choice_448 := ((transform_left_filter_column_0_5 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_448 := ((transform_left_filter_column_0_5 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_6 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_449 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_449 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_6 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_450 := transform_left_filter_feature_0_choice_449;
+      else
+        transform_left_filter_feature_0_choice_450 := ((transform_left_filter_column_0_6 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_450 then
+        transform_left_filter_feature_0_choice_451 := (not (((transform_left_filter_column_0_6 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_451 := (not (((transform_left_filter_column_0_6 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_451 then
+        transform_left_filter_feature_0_choice_452 := (not (((transform_left_filter_column_0_6 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_452 := (not (((transform_left_filter_column_0_6 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_452 then
+        transform_left_filter_feature_0_choice_453 := (not (((transform_left_filter_column_0_6 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_453 := (not (((transform_left_filter_column_0_6 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_453 then
+        transform_left_filter_feature_0_choice_454 := (not (((transform_left_filter_column_0_6 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_454 := (not (((transform_left_filter_column_0_6 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_454 then
+        transform_left_filter_feature_0_choice_455 := (not (((transform_left_filter_column_0_6 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_455 := (not (((transform_left_filter_column_0_6 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_455 then
+        transform_left_filter_feature_0_choice_456 := ((transform_left_filter_column_0_6 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_456 := ((transform_left_filter_column_0_6 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_457 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_457 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_458 := transform_left_filter_feature_0_choice_457;
+      else
+        transform_left_filter_feature_0_choice_458 := ((transform_left_filter_column_0_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_458 then
+        transform_left_filter_feature_0_choice_459 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_459 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_459 then
+        transform_left_filter_feature_0_choice_460 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_460 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_460 then
+        transform_left_filter_feature_0_choice_461 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_461 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_461 then
+        transform_left_filter_feature_0_choice_462 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_462 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_462 then
+        transform_left_filter_feature_0_choice_463 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_463 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_463 then
+        transform_left_filter_feature_0_choice_464 := ((transform_left_filter_column_0_4 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_464 := ((transform_left_filter_column_0_4 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_465 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_465 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_466 := transform_left_filter_feature_0_choice_465;
+      else
+        transform_left_filter_feature_0_choice_466 := ((transform_left_filter_column_0_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_466 then
+        transform_left_filter_feature_0_choice_467 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_467 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_467 then
+        transform_left_filter_feature_0_choice_468 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_468 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_468 then
+        transform_left_filter_feature_0_choice_469 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_469 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_469 then
+        transform_left_filter_feature_0_choice_470 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_470 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_470 then
+        transform_left_filter_feature_0_choice_471 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_471 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_471 then
+        transform_left_filter_feature_0_choice_472 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_472 := ((transform_left_filter_column_0_3 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_473 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_473 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_474 := transform_left_filter_feature_0_choice_473;
+      else
+        transform_left_filter_feature_0_choice_474 := ((transform_left_filter_column_0_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_474 then
+        transform_left_filter_feature_0_choice_475 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_475 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_475 then
+        transform_left_filter_feature_0_choice_476 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_476 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_476 then
+        transform_left_filter_feature_0_choice_477 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_477 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_477 then
+        transform_left_filter_feature_0_choice_478 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_478 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_478 then
+        transform_left_filter_feature_0_choice_479 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_479 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_479 then
+        transform_left_filter_feature_0_choice_480 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_480 := ((transform_left_filter_column_0_2 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_481 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_481 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_482 := transform_left_filter_feature_0_choice_481;
+      else
+        transform_left_filter_feature_0_choice_482 := ((transform_left_filter_column_0_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_482 then
+        transform_left_filter_feature_0_choice_483 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_483 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_483 then
+        transform_left_filter_feature_0_choice_484 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_484 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_484 then
+        transform_left_filter_feature_0_choice_485 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_485 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_485 then
+        transform_left_filter_feature_0_choice_486 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_486 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_486 then
+        transform_left_filter_feature_0_choice_487 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_487 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_487 then
+        transform_left_filter_feature_0_choice_488 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_488 := ((transform_left_filter_column_0_1 / 128) = 1) or (not
+          ((transform_left_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_489 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1);
+      else
+        transform_left_filter_feature_0_choice_489 := (transform_left_filter_column_0_0 mod 4) = 0;
+      end if;
+      if transform_left_filter_feature_0_value then
+        transform_left_filter_feature_0_choice_490 := ((transform_left_filter_column_4_3 mod 2) = 1) or (not
+          (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1));
+      else
+        transform_left_filter_feature_0_choice_490 := transform_left_filter_feature_0_choice_489;
+      end if;
       transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_491 := (not transform_left_filter_feature_0_value_2) and
-        transform_left_filter_feature_0_value_7 when transform_left_filter_feature_0_choice_490 else (not
-        transform_left_filter_feature_0_value_2) or transform_left_filter_feature_0_value_7;
+      if transform_left_filter_feature_0_choice_490 then
+        transform_left_filter_feature_0_choice_491 := (not transform_left_filter_feature_0_value_2) and
+          transform_left_filter_feature_0_value_7;
+      else
+        transform_left_filter_feature_0_choice_491 := (not transform_left_filter_feature_0_value_2) or
+          transform_left_filter_feature_0_value_7;
+      end if;
       transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_492 := (not transform_left_filter_feature_0_value_3) or
-        transform_left_filter_feature_0_value_8 when transform_left_filter_feature_0_choice_491 else (not
-        transform_left_filter_feature_0_value_3) and transform_left_filter_feature_0_value_8;
+      if transform_left_filter_feature_0_choice_491 then
+        transform_left_filter_feature_0_choice_492 := (not transform_left_filter_feature_0_value_3) or
+          transform_left_filter_feature_0_value_8;
+      else
+        transform_left_filter_feature_0_choice_492 := (not transform_left_filter_feature_0_value_3) and
+          transform_left_filter_feature_0_value_8;
+      end if;
       transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_493 := (not transform_left_filter_feature_0_value_4) or
-        transform_left_filter_feature_0_value_9 when transform_left_filter_feature_0_choice_492 else (not
-        transform_left_filter_feature_0_value_4) and transform_left_filter_feature_0_value_9;
+      if transform_left_filter_feature_0_choice_492 then
+        transform_left_filter_feature_0_choice_493 := (not transform_left_filter_feature_0_value_4) or
+          transform_left_filter_feature_0_value_9;
+      else
+        transform_left_filter_feature_0_choice_493 := (not transform_left_filter_feature_0_value_4) and
+          transform_left_filter_feature_0_value_9;
+      end if;
       transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_494 := (not transform_left_filter_feature_0_value_5) or
-        transform_left_filter_feature_0_value_10 when transform_left_filter_feature_0_choice_493 else (not
-        transform_left_filter_feature_0_value_5) and transform_left_filter_feature_0_value_10;
+      if transform_left_filter_feature_0_choice_493 then
+        transform_left_filter_feature_0_choice_494 := (not transform_left_filter_feature_0_value_5) or
+          transform_left_filter_feature_0_value_10;
+      else
+        transform_left_filter_feature_0_choice_494 := (not transform_left_filter_feature_0_value_5) and
+          transform_left_filter_feature_0_value_10;
+      end if;
       transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_495 := (not transform_left_filter_feature_0_value_6) or
-        transform_left_filter_feature_0_value_11 when transform_left_filter_feature_0_choice_494 else (not
-        transform_left_filter_feature_0_value_6) and transform_left_filter_feature_0_value_11;
-      transform_left_filter_feature_0_choice_496 := (not ((transform_left_filter_column_4_3 / 128) = 1)) or
-        ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_495 else (not
-        ((transform_left_filter_column_4_3 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
+      if transform_left_filter_feature_0_choice_494 then
+        transform_left_filter_feature_0_choice_495 := (not transform_left_filter_feature_0_value_6) or
+          transform_left_filter_feature_0_value_11;
+      else
+        transform_left_filter_feature_0_choice_495 := (not transform_left_filter_feature_0_value_6) and
+          transform_left_filter_feature_0_value_11;
+      end if;
+      if transform_left_filter_feature_0_choice_495 then
+        transform_left_filter_feature_0_choice_496 := (not ((transform_left_filter_column_4_3 / 128) = 1)) or
+          ((transform_left_filter_column_0_0 / 128) = 1);
+      else
+        transform_left_filter_feature_0_choice_496 := (not ((transform_left_filter_column_4_3 / 128) = 1)) and
+          ((transform_left_filter_column_0_0 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_497 := (as_number(transform_left_filter_feature_0_choice_448) * 32) +
           (as_number(transform_left_filter_feature_0_choice_456) * 64) +
@@ -3704,1444 +5747,3304 @@ begin
       transform_right_filter_feature_0_value := ((transform_right_filter_column_4_3 / 2) mod 2) = 1;
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
         ((transform_right_filter_column_4_3 mod 2) = 1));
-      transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_8_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      if (transform_right_filter_column_8_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
+      end if;
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column_4_3 mod 4) = 0;
-      transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice when
-        ((transform_right_filter_column_8_0 / 2) mod 2) = 1 else ((transform_right_filter_column_8_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
+      if ((transform_right_filter_column_8_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      else
+        transform_right_filter_feature_0_choice_2 := ((transform_right_filter_column_8_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
       transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_4_3 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_2 else (not
-        (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choice_2 then
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_8_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
       transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_4_3 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_3 else (not
-        (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      if transform_right_filter_feature_0_choice_3 then
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_8_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
       transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_4_3 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_4 else (not
-        (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choice_4 then
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_8_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
       transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_4_3 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_5 else (not
-        (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      if transform_right_filter_feature_0_choice_5 then
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_8_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
       transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_4_3 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_6 else (not
-        (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_8_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_7 else
-        ((transform_right_filter_column_8_0 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_8_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9 when
-        ((transform_right_filter_column_8_1 / 2) mod 2) = 1 else ((transform_right_filter_column_8_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_10 else (not
-        (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_11 else (not
-        (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_12 else (not
-        (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_13 else (not
-        (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_14 else (not
-        (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_8_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_15 else
-        ((transform_right_filter_column_8_1 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_8_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17 when
-        ((transform_right_filter_column_8_2 / 2) mod 2) = 1 else ((transform_right_filter_column_8_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_18 else (not
-        (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_19 else (not
-        (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_20 else (not
-        (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_21 else (not
-        (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_22 else (not
-        (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_8_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_23 else
-        ((transform_right_filter_column_8_2 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_8_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25 when
-        ((transform_right_filter_column_8_3 / 2) mod 2) = 1 else ((transform_right_filter_column_8_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_8_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_26 else (not
-        (((transform_right_filter_column_8_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_8_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_27 else (not
-        (((transform_right_filter_column_8_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_8_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_28 else (not
-        (((transform_right_filter_column_8_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_8_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_29 else (not
-        (((transform_right_filter_column_8_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_8_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_30 else (not
-        (((transform_right_filter_column_8_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_8_3 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_31 else
-        ((transform_right_filter_column_8_3 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_8_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33 when
-        ((transform_right_filter_column_8_4 / 2) mod 2) = 1 else ((transform_right_filter_column_8_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_34 else (not
-        (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_35 else (not
-        (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_36 else (not
-        (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_37 else (not
-        (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_38 else (not
-        (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_8_4 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_39 else
-        ((transform_right_filter_column_8_4 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_8_5 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41 when
-        ((transform_right_filter_column_8_5 / 2) mod 2) = 1 else ((transform_right_filter_column_8_5 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_8_5 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_42 else (not
-        (((transform_right_filter_column_8_5 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_8_5 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_43 else (not
-        (((transform_right_filter_column_8_5 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_8_5 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_44 else (not
-        (((transform_right_filter_column_8_5 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_8_5 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_45 else (not
-        (((transform_right_filter_column_8_5 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_8_5 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_46 else (not
-        (((transform_right_filter_column_8_5 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_8_5 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_47 else
-        ((transform_right_filter_column_8_5 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_8_6 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49 when
-        ((transform_right_filter_column_8_6 / 2) mod 2) = 1 else ((transform_right_filter_column_8_6 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_8_6 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_50 else (not
-        (((transform_right_filter_column_8_6 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_8_6 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_51 else (not
-        (((transform_right_filter_column_8_6 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_8_6 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_52 else (not
-        (((transform_right_filter_column_8_6 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_8_6 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_53 else (not
-        (((transform_right_filter_column_8_6 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_8_6 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_54 else (not
-        (((transform_right_filter_column_8_6 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_8_6 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_55 else
-        ((transform_right_filter_column_8_6 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_7_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57 when
-        ((transform_right_filter_column_7_0 / 2) mod 2) = 1 else ((transform_right_filter_column_7_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_58 else (not
-        (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_59 else (not
-        (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_60 else (not
-        (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_61 else (not
-        (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_62 else (not
-        (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_7_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_63 else
-        ((transform_right_filter_column_7_0 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_7_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65 when
-        ((transform_right_filter_column_7_1 / 2) mod 2) = 1 else ((transform_right_filter_column_7_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_66 else (not
-        (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_67 else (not
-        (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_68 else (not
-        (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_69 else (not
-        (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_70 else (not
-        (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_7_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_71 else
-        ((transform_right_filter_column_7_1 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_7_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73 when
-        ((transform_right_filter_column_7_2 / 2) mod 2) = 1 else ((transform_right_filter_column_7_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_74 else (not
-        (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_75 else (not
-        (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_76 else (not
-        (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_77 else (not
-        (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_78 else (not
-        (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_7_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_79 else
-        ((transform_right_filter_column_7_2 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_7_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81 when
-        ((transform_right_filter_column_7_3 / 2) mod 2) = 1 else ((transform_right_filter_column_7_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_7_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_82 else (not
-        (((transform_right_filter_column_7_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_7_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_83 else (not
-        (((transform_right_filter_column_7_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_7_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_84 else (not
-        (((transform_right_filter_column_7_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_7_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_85 else (not
-        (((transform_right_filter_column_7_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_7_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_86 else (not
-        (((transform_right_filter_column_7_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_88 := ((transform_right_filter_column_7_3 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_87 else
-        ((transform_right_filter_column_7_3 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_7_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_choice_89 when
-        ((transform_right_filter_column_7_4 / 2) mod 2) = 1 else ((transform_right_filter_column_7_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_7_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_90 else (not
-        (((transform_right_filter_column_7_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_7_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_91 else (not
-        (((transform_right_filter_column_7_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_7_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_92 else (not
-        (((transform_right_filter_column_7_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_7_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_93 else (not
-        (((transform_right_filter_column_7_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_7_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_94 else (not
-        (((transform_right_filter_column_7_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_7_4 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_95 else
-        ((transform_right_filter_column_7_4 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_7_5 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97 when
-        ((transform_right_filter_column_7_5 / 2) mod 2) = 1 else ((transform_right_filter_column_7_5 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_7_5 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_98 else (not
-        (((transform_right_filter_column_7_5 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_7_5 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_99 else (not
-        (((transform_right_filter_column_7_5 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_7_5 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_100 else (not
-        (((transform_right_filter_column_7_5 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_7_5 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_101 else (not
-        (((transform_right_filter_column_7_5 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_7_5 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_102 else (not
-        (((transform_right_filter_column_7_5 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_7_5 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_103 else
-        ((transform_right_filter_column_7_5 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_7_6 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_choice_105 when
-        ((transform_right_filter_column_7_6 / 2) mod 2) = 1 else ((transform_right_filter_column_7_6 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_7_6 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_106 else (not
-        (((transform_right_filter_column_7_6 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_7_6 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_107 else (not
-        (((transform_right_filter_column_7_6 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_7_6 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_108 else (not
-        (((transform_right_filter_column_7_6 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_7_6 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_109 else (not
-        (((transform_right_filter_column_7_6 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_7_6 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_110 else (not
-        (((transform_right_filter_column_7_6 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_7_6 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_111 else
-        ((transform_right_filter_column_7_6 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_113 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_6_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_choice_113 when
-        ((transform_right_filter_column_6_0 / 2) mod 2) = 1 else ((transform_right_filter_column_6_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_114 else (not
-        (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_115 else (not
-        (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_116 else (not
-        (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_117 else (not
-        (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_118 else (not
-        (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_6_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_119 else
-        ((transform_right_filter_column_6_0 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_121 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_6_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_choice_121 when
-        ((transform_right_filter_column_6_1 / 2) mod 2) = 1 else ((transform_right_filter_column_6_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_122 else (not
-        (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_123 else (not
-        (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_124 else (not
-        (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_125 else (not
-        (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_126 else (not
-        (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_6_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_127 else
-        ((transform_right_filter_column_6_1 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_129 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_6_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_choice_129 when
-        ((transform_right_filter_column_6_2 / 2) mod 2) = 1 else ((transform_right_filter_column_6_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_130 else (not
-        (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_131 else (not
-        (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_132 else (not
-        (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_133 else (not
-        (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_134 else (not
-        (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_6_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_135 else
-        ((transform_right_filter_column_6_2 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_6_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_choice_137 when
-        ((transform_right_filter_column_6_3 / 2) mod 2) = 1 else ((transform_right_filter_column_6_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_138 else (not
-        (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_139 else (not
-        (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_140 else (not
-        (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_141 else (not
-        (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_142 else (not
-        (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_6_3 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_143 else
-        ((transform_right_filter_column_6_3 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_145 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_6_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_choice_145 when
-        ((transform_right_filter_column_6_4 / 2) mod 2) = 1 else ((transform_right_filter_column_6_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_146 else (not
-        (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_147 else (not
-        (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_148 else (not
-        (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_149 else (not
-        (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_150 else (not
-        (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_6_4 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_151 else
-        ((transform_right_filter_column_6_4 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_6_5 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_choice_153 when
-        ((transform_right_filter_column_6_5 / 2) mod 2) = 1 else ((transform_right_filter_column_6_5 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_6_5 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_154 else (not
-        (((transform_right_filter_column_6_5 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_6_5 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_155 else (not
-        (((transform_right_filter_column_6_5 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_6_5 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_156 else (not
-        (((transform_right_filter_column_6_5 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_6_5 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_157 else (not
-        (((transform_right_filter_column_6_5 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_6_5 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_158 else (not
-        (((transform_right_filter_column_6_5 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_6_5 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_159 else
-        ((transform_right_filter_column_6_5 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_6_6 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161 when
-        ((transform_right_filter_column_6_6 / 2) mod 2) = 1 else ((transform_right_filter_column_6_6 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_6_6 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_162 else (not
-        (((transform_right_filter_column_6_6 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_6_6 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_163 else (not
-        (((transform_right_filter_column_6_6 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_6_6 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_164 else (not
-        (((transform_right_filter_column_6_6 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_6_6 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_165 else (not
-        (((transform_right_filter_column_6_6 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_6_6 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_166 else (not
-        (((transform_right_filter_column_6_6 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_6_6 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_167 else
-        ((transform_right_filter_column_6_6 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_5_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_choice_169 when
-        ((transform_right_filter_column_5_0 / 2) mod 2) = 1 else ((transform_right_filter_column_5_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_170 else (not
-        (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_171 else (not
-        (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_172 else (not
-        (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_173 else (not
-        (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_174 else (not
-        (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_5_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_175 else
-        ((transform_right_filter_column_5_0 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_177 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_5_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_choice_177 when
-        ((transform_right_filter_column_5_1 / 2) mod 2) = 1 else ((transform_right_filter_column_5_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_178 else (not
-        (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_179 else (not
-        (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_180 else (not
-        (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_181 else (not
-        (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_182 else (not
-        (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_5_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_183 else
-        ((transform_right_filter_column_5_1 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_185 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_5_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_186 := transform_right_filter_feature_0_choice_185 when
-        ((transform_right_filter_column_5_2 / 2) mod 2) = 1 else ((transform_right_filter_column_5_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_187 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_186 else (not
-        (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_188 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_187 else (not
-        (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_189 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_188 else (not
-        (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_190 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_189 else (not
-        (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_191 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_190 else (not
-        (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_192 := ((transform_right_filter_column_5_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_191 else
-        ((transform_right_filter_column_5_2 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_193 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_5_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193 when
-        ((transform_right_filter_column_5_3 / 2) mod 2) = 1 else ((transform_right_filter_column_5_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_195 := (not (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_194 else (not
-        (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_196 := (not (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_195 else (not
-        (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_197 := (not (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_196 else (not
-        (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_198 := (not (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_197 else (not
-        (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_199 := (not (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_198 else (not
-        (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_200 := ((transform_right_filter_column_5_3 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_199 else
-        ((transform_right_filter_column_5_3 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_201 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_5_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_202 := transform_right_filter_feature_0_choice_201 when
-        ((transform_right_filter_column_5_4 / 2) mod 2) = 1 else ((transform_right_filter_column_5_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_203 := (not (((transform_right_filter_column_5_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_202 else (not
-        (((transform_right_filter_column_5_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_204 := (not (((transform_right_filter_column_5_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_203 else (not
-        (((transform_right_filter_column_5_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_205 := (not (((transform_right_filter_column_5_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_204 else (not
-        (((transform_right_filter_column_5_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_206 := (not (((transform_right_filter_column_5_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_205 else (not
-        (((transform_right_filter_column_5_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_207 := (not (((transform_right_filter_column_5_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_206 else (not
-        (((transform_right_filter_column_5_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_208 := ((transform_right_filter_column_5_4 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_207 else
-        ((transform_right_filter_column_5_4 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_209 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_5_5 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_210 := transform_right_filter_feature_0_choice_209 when
-        ((transform_right_filter_column_5_5 / 2) mod 2) = 1 else ((transform_right_filter_column_5_5 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_211 := (not (((transform_right_filter_column_5_5 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_210 else (not
-        (((transform_right_filter_column_5_5 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_212 := (not (((transform_right_filter_column_5_5 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_211 else (not
-        (((transform_right_filter_column_5_5 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_213 := (not (((transform_right_filter_column_5_5 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_212 else (not
-        (((transform_right_filter_column_5_5 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_214 := (not (((transform_right_filter_column_5_5 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_213 else (not
-        (((transform_right_filter_column_5_5 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_215 := (not (((transform_right_filter_column_5_5 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_214 else (not
-        (((transform_right_filter_column_5_5 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_216 := ((transform_right_filter_column_5_5 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_215 else
-        ((transform_right_filter_column_5_5 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_217 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_5_6 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_218 := transform_right_filter_feature_0_choice_217 when
-        ((transform_right_filter_column_5_6 / 2) mod 2) = 1 else ((transform_right_filter_column_5_6 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_219 := (not (((transform_right_filter_column_5_6 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_218 else (not
-        (((transform_right_filter_column_5_6 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_220 := (not (((transform_right_filter_column_5_6 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_219 else (not
-        (((transform_right_filter_column_5_6 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_221 := (not (((transform_right_filter_column_5_6 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_220 else (not
-        (((transform_right_filter_column_5_6 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_222 := (not (((transform_right_filter_column_5_6 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_221 else (not
-        (((transform_right_filter_column_5_6 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_223 := (not (((transform_right_filter_column_5_6 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_222 else (not
-        (((transform_right_filter_column_5_6 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_224 := ((transform_right_filter_column_5_6 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_223 else
-        ((transform_right_filter_column_5_6 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_225 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_6 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_226 := transform_right_filter_feature_0_choice_225 when
-        ((transform_right_filter_column_4_6 / 2) mod 2) = 1 else ((transform_right_filter_column_4_6 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_227 := (not (((transform_right_filter_column_4_6 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_226 else (not
-        (((transform_right_filter_column_4_6 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_228 := (not (((transform_right_filter_column_4_6 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_227 else (not
-        (((transform_right_filter_column_4_6 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_229 := (not (((transform_right_filter_column_4_6 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_228 else (not
-        (((transform_right_filter_column_4_6 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_230 := (not (((transform_right_filter_column_4_6 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_229 else (not
-        (((transform_right_filter_column_4_6 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_231 := (not (((transform_right_filter_column_4_6 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_230 else (not
-        (((transform_right_filter_column_4_6 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_232 := transform_filtering_0_column_inside_4 and
-        ((transform_right_filter_column_4_6 / 128) = 1) and (not ((transform_right_filter_column_4_3 / 128) = 1)) when
-        transform_right_filter_feature_0_choice_231 else transform_filtering_0_column_inside_4 and
-        (((transform_right_filter_column_4_6 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1)));
-      transform_right_filter_feature_0_choice_233 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_5 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_234 := transform_right_filter_feature_0_choice_233 when
-        ((transform_right_filter_column_4_5 / 2) mod 2) = 1 else ((transform_right_filter_column_4_5 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_235 := (not (((transform_right_filter_column_4_5 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_234 else (not
-        (((transform_right_filter_column_4_5 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_236 := (not (((transform_right_filter_column_4_5 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_235 else (not
-        (((transform_right_filter_column_4_5 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_237 := (not (((transform_right_filter_column_4_5 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_236 else (not
-        (((transform_right_filter_column_4_5 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_238 := (not (((transform_right_filter_column_4_5 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_237 else (not
-        (((transform_right_filter_column_4_5 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_239 := (not (((transform_right_filter_column_4_5 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_238 else (not
-        (((transform_right_filter_column_4_5 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_240 := ((transform_right_filter_column_4_5 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_239 else
-        ((transform_right_filter_column_4_5 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_241 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_242 := transform_right_filter_feature_0_choice_241 when
-        ((transform_right_filter_column_4_4 / 2) mod 2) = 1 else ((transform_right_filter_column_4_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_243 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_242 else (not
-        (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_244 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_243 else (not
-        (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_245 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_244 else (not
-        (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_246 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_245 else (not
-        (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_247 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_246 else (not
-        (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_248 := ((transform_right_filter_column_4_4 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_247 else
-        ((transform_right_filter_column_4_4 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_249 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_250 := transform_right_filter_feature_0_choice_249 when
-        ((transform_right_filter_column_4_2 / 2) mod 2) = 1 else ((transform_right_filter_column_4_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_251 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_250 else (not
-        (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_252 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_251 else (not
-        (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_253 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_252 else (not
-        (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_254 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_253 else (not
-        (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_255 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_254 else (not
-        (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_256 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_255 else
-        ((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_257 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_258 := transform_right_filter_feature_0_choice_257 when
-        ((transform_right_filter_column_4_1 / 2) mod 2) = 1 else ((transform_right_filter_column_4_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_259 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_258 else (not
-        (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_260 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_259 else (not
-        (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_261 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_260 else (not
-        (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_262 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_261 else (not
-        (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_263 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_262 else (not
-        (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_264 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_263 else
-        ((transform_right_filter_column_4_1 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_265 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_266 := transform_right_filter_feature_0_choice_265 when
-        ((transform_right_filter_column_4_0 / 2) mod 2) = 1 else ((transform_right_filter_column_4_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_267 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_266 else (not
-        (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_268 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_267 else (not
-        (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_269 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_268 else (not
-        (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_270 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_269 else (not
-        (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_271 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_270 else (not
-        (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_272 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_271 else
-        ((transform_right_filter_column_4_0 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_273 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_5 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_274 := transform_right_filter_feature_0_choice_273 when
-        ((transform_right_filter_column_3_5 / 2) mod 2) = 1 else ((transform_right_filter_column_3_5 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_275 := (not (((transform_right_filter_column_3_5 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_274 else (not
-        (((transform_right_filter_column_3_5 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_276 := (not (((transform_right_filter_column_3_5 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_275 else (not
-        (((transform_right_filter_column_3_5 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_277 := (not (((transform_right_filter_column_3_5 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_276 else (not
-        (((transform_right_filter_column_3_5 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_278 := (not (((transform_right_filter_column_3_5 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_277 else (not
-        (((transform_right_filter_column_3_5 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_279 := (not (((transform_right_filter_column_3_5 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_278 else (not
-        (((transform_right_filter_column_3_5 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_280 := ((transform_right_filter_column_3_5 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_279 else
-        ((transform_right_filter_column_3_5 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_281 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_6 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_282 := transform_right_filter_feature_0_choice_281 when
-        ((transform_right_filter_column_3_6 / 2) mod 2) = 1 else ((transform_right_filter_column_3_6 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_283 := (not (((transform_right_filter_column_3_6 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_282 else (not
-        (((transform_right_filter_column_3_6 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_284 := (not (((transform_right_filter_column_3_6 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_283 else (not
-        (((transform_right_filter_column_3_6 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_285 := (not (((transform_right_filter_column_3_6 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_284 else (not
-        (((transform_right_filter_column_3_6 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_286 := (not (((transform_right_filter_column_3_6 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_285 else (not
-        (((transform_right_filter_column_3_6 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_287 := (not (((transform_right_filter_column_3_6 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_286 else (not
-        (((transform_right_filter_column_3_6 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_288 := ((transform_right_filter_column_3_6 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_287 else
-        ((transform_right_filter_column_3_6 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_289 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_290 := transform_right_filter_feature_0_choice_289 when
-        ((transform_right_filter_column_3_4 / 2) mod 2) = 1 else ((transform_right_filter_column_3_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_291 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_290 else (not
-        (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_292 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_291 else (not
-        (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_293 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_292 else (not
-        (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_294 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_293 else (not
-        (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_295 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_294 else (not
-        (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_296 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_295 else
-        ((transform_right_filter_column_3_4 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_297 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_298 := transform_right_filter_feature_0_choice_297 when
-        ((transform_right_filter_column_3_3 / 2) mod 2) = 1 else ((transform_right_filter_column_3_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_299 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_298 else (not
-        (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_300 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_299 else (not
-        (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_301 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_300 else (not
-        (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_302 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_301 else (not
-        (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_303 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_302 else (not
-        (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_304 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_303 else
-        ((transform_right_filter_column_3_3 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_305 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_306 := transform_right_filter_feature_0_choice_305 when
-        ((transform_right_filter_column_3_2 / 2) mod 2) = 1 else ((transform_right_filter_column_3_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_307 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_306 else (not
-        (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_308 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_307 else (not
-        (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_309 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_308 else (not
-        (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_310 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_309 else (not
-        (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_311 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_310 else (not
-        (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_312 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_311 else
-        ((transform_right_filter_column_3_2 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_313 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_314 := transform_right_filter_feature_0_choice_313 when
-        ((transform_right_filter_column_3_1 / 2) mod 2) = 1 else ((transform_right_filter_column_3_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_315 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_314 else (not
-        (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_316 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_315 else (not
-        (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_317 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_316 else (not
-        (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_318 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_317 else (not
-        (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_319 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_318 else (not
-        (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_320 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_319 else
-        ((transform_right_filter_column_3_1 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_321 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_322 := transform_right_filter_feature_0_choice_321 when
-        ((transform_right_filter_column_3_0 / 2) mod 2) = 1 else ((transform_right_filter_column_3_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_323 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_322 else (not
-        (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_324 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_323 else (not
-        (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_325 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_324 else (not
-        (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_326 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_325 else (not
-        (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_327 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_326 else (not
-        (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_328 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_327 else
-        ((transform_right_filter_column_3_0 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_329 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_5 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_330 := transform_right_filter_feature_0_choice_329 when
-        ((transform_right_filter_column_2_5 / 2) mod 2) = 1 else ((transform_right_filter_column_2_5 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_331 := (not (((transform_right_filter_column_2_5 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_330 else (not
-        (((transform_right_filter_column_2_5 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_332 := (not (((transform_right_filter_column_2_5 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_331 else (not
-        (((transform_right_filter_column_2_5 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_333 := (not (((transform_right_filter_column_2_5 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_332 else (not
-        (((transform_right_filter_column_2_5 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_334 := (not (((transform_right_filter_column_2_5 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_333 else (not
-        (((transform_right_filter_column_2_5 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_335 := (not (((transform_right_filter_column_2_5 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_334 else (not
-        (((transform_right_filter_column_2_5 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_336 := ((transform_right_filter_column_2_5 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_335 else
-        ((transform_right_filter_column_2_5 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_337 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_6 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_338 := transform_right_filter_feature_0_choice_337 when
-        ((transform_right_filter_column_2_6 / 2) mod 2) = 1 else ((transform_right_filter_column_2_6 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_339 := (not (((transform_right_filter_column_2_6 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_338 else (not
-        (((transform_right_filter_column_2_6 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_340 := (not (((transform_right_filter_column_2_6 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_339 else (not
-        (((transform_right_filter_column_2_6 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_341 := (not (((transform_right_filter_column_2_6 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_340 else (not
-        (((transform_right_filter_column_2_6 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_342 := (not (((transform_right_filter_column_2_6 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_341 else (not
-        (((transform_right_filter_column_2_6 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_343 := (not (((transform_right_filter_column_2_6 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_342 else (not
-        (((transform_right_filter_column_2_6 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_344 := ((transform_right_filter_column_2_6 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_343 else
-        ((transform_right_filter_column_2_6 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_345 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_346 := transform_right_filter_feature_0_choice_345 when
-        ((transform_right_filter_column_2_4 / 2) mod 2) = 1 else ((transform_right_filter_column_2_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_347 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_346 else (not
-        (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_348 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_347 else (not
-        (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_349 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_348 else (not
-        (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_350 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_349 else (not
-        (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_351 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_350 else (not
-        (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_352 := ((transform_right_filter_column_2_4 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_351 else
-        ((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_353 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_354 := transform_right_filter_feature_0_choice_353 when
-        ((transform_right_filter_column_2_3 / 2) mod 2) = 1 else ((transform_right_filter_column_2_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_355 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_354 else (not
-        (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_356 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_355 else (not
-        (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_357 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_356 else (not
-        (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_358 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_357 else (not
-        (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_359 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_358 else (not
-        (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_360 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_359 else
-        ((transform_right_filter_column_2_3 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_361 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_362 := transform_right_filter_feature_0_choice_361 when
-        ((transform_right_filter_column_2_2 / 2) mod 2) = 1 else ((transform_right_filter_column_2_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_363 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_362 else (not
-        (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_364 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_363 else (not
-        (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_365 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_364 else (not
-        (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_366 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_365 else (not
-        (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_367 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_366 else (not
-        (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_368 := ((transform_right_filter_column_2_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_367 else
-        ((transform_right_filter_column_2_2 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_369 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_370 := transform_right_filter_feature_0_choice_369 when
-        ((transform_right_filter_column_2_1 / 2) mod 2) = 1 else ((transform_right_filter_column_2_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_371 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_370 else (not
-        (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_372 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_371 else (not
-        (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_373 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_372 else (not
-        (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_374 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_373 else (not
-        (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_375 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_374 else (not
-        (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_376 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_375 else
-        ((transform_right_filter_column_2_1 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_377 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_378 := transform_right_filter_feature_0_choice_377 when
-        ((transform_right_filter_column_2_0 / 2) mod 2) = 1 else ((transform_right_filter_column_2_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_379 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_378 else (not
-        (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_380 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_379 else (not
-        (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_381 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_380 else (not
-        (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_382 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_381 else (not
-        (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_383 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_382 else (not
-        (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_384 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_383 else
-        ((transform_right_filter_column_2_0 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_385 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_5 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_386 := transform_right_filter_feature_0_choice_385 when
-        ((transform_right_filter_column_1_5 / 2) mod 2) = 1 else ((transform_right_filter_column_1_5 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_387 := (not (((transform_right_filter_column_1_5 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_386 else (not
-        (((transform_right_filter_column_1_5 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_388 := (not (((transform_right_filter_column_1_5 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_387 else (not
-        (((transform_right_filter_column_1_5 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_389 := (not (((transform_right_filter_column_1_5 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_388 else (not
-        (((transform_right_filter_column_1_5 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_390 := (not (((transform_right_filter_column_1_5 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_389 else (not
-        (((transform_right_filter_column_1_5 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_391 := (not (((transform_right_filter_column_1_5 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_390 else (not
-        (((transform_right_filter_column_1_5 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_392 := ((transform_right_filter_column_1_5 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_391 else
-        ((transform_right_filter_column_1_5 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_393 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_6 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_394 := transform_right_filter_feature_0_choice_393 when
-        ((transform_right_filter_column_1_6 / 2) mod 2) = 1 else ((transform_right_filter_column_1_6 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_395 := (not (((transform_right_filter_column_1_6 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_394 else (not
-        (((transform_right_filter_column_1_6 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_396 := (not (((transform_right_filter_column_1_6 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_395 else (not
-        (((transform_right_filter_column_1_6 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_397 := (not (((transform_right_filter_column_1_6 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_396 else (not
-        (((transform_right_filter_column_1_6 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_398 := (not (((transform_right_filter_column_1_6 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_397 else (not
-        (((transform_right_filter_column_1_6 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_399 := (not (((transform_right_filter_column_1_6 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_398 else (not
-        (((transform_right_filter_column_1_6 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_400 := ((transform_right_filter_column_1_6 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_399 else
-        ((transform_right_filter_column_1_6 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_401 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_402 := transform_right_filter_feature_0_choice_401 when
-        ((transform_right_filter_column_1_4 / 2) mod 2) = 1 else ((transform_right_filter_column_1_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_403 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_402 else (not
-        (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_404 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_403 else (not
-        (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_405 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_404 else (not
-        (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_406 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_405 else (not
-        (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_407 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_406 else (not
-        (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_408 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_407 else
-        ((transform_right_filter_column_1_4 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_409 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_410 := transform_right_filter_feature_0_choice_409 when
-        ((transform_right_filter_column_1_3 / 2) mod 2) = 1 else ((transform_right_filter_column_1_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_411 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_410 else (not
-        (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_412 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_411 else (not
-        (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_413 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_412 else (not
-        (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_414 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_413 else (not
-        (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_415 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_414 else (not
-        (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_416 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_415 else
-        ((transform_right_filter_column_1_3 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_417 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_418 := transform_right_filter_feature_0_choice_417 when
-        ((transform_right_filter_column_1_2 / 2) mod 2) = 1 else ((transform_right_filter_column_1_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_419 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_418 else (not
-        (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_420 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_419 else (not
-        (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_421 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_420 else (not
-        (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_422 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_421 else (not
-        (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_423 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_422 else (not
-        (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_424 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_423 else
-        ((transform_right_filter_column_1_2 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_425 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_426 := transform_right_filter_feature_0_choice_425 when
-        ((transform_right_filter_column_1_1 / 2) mod 2) = 1 else ((transform_right_filter_column_1_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_427 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_426 else (not
-        (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_428 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_427 else (not
-        (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_429 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_428 else (not
-        (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_430 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_429 else (not
-        (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_431 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_430 else (not
-        (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_432 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_431 else
-        ((transform_right_filter_column_1_1 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_433 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_434 := transform_right_filter_feature_0_choice_433 when
-        ((transform_right_filter_column_1_0 / 2) mod 2) = 1 else ((transform_right_filter_column_1_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_435 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_434 else (not
-        (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_436 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_435 else (not
-        (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_437 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_436 else (not
-        (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_438 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_437 else (not
-        (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_439 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_438 else (not
-        (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_440 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_439 else
-        ((transform_right_filter_column_1_0 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_441 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_5 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_442 := transform_right_filter_feature_0_choice_441 when
-        ((transform_right_filter_column_0_5 / 2) mod 2) = 1 else ((transform_right_filter_column_0_5 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_443 := (not (((transform_right_filter_column_0_5 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_442 else (not
-        (((transform_right_filter_column_0_5 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_444 := (not (((transform_right_filter_column_0_5 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_443 else (not
-        (((transform_right_filter_column_0_5 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_445 := (not (((transform_right_filter_column_0_5 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_444 else (not
-        (((transform_right_filter_column_0_5 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_446 := (not (((transform_right_filter_column_0_5 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_445 else (not
-        (((transform_right_filter_column_0_5 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_447 := (not (((transform_right_filter_column_0_5 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_446 else (not
-        (((transform_right_filter_column_0_5 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_448 := ((transform_right_filter_column_0_5 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_447 else
-        ((transform_right_filter_column_0_5 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_449 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_6 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_450 := transform_right_filter_feature_0_choice_449 when
-        ((transform_right_filter_column_0_6 / 2) mod 2) = 1 else ((transform_right_filter_column_0_6 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_451 := (not (((transform_right_filter_column_0_6 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_450 else (not
-        (((transform_right_filter_column_0_6 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_452 := (not (((transform_right_filter_column_0_6 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_451 else (not
-        (((transform_right_filter_column_0_6 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_453 := (not (((transform_right_filter_column_0_6 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_452 else (not
-        (((transform_right_filter_column_0_6 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_454 := (not (((transform_right_filter_column_0_6 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_453 else (not
-        (((transform_right_filter_column_0_6 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_455 := (not (((transform_right_filter_column_0_6 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_454 else (not
-        (((transform_right_filter_column_0_6 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_456 := ((transform_right_filter_column_0_6 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_455 else
-        ((transform_right_filter_column_0_6 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_457 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_458 := transform_right_filter_feature_0_choice_457 when
-        ((transform_right_filter_column_0_4 / 2) mod 2) = 1 else ((transform_right_filter_column_0_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_459 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_458 else (not
-        (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_460 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_459 else (not
-        (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_461 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_460 else (not
-        (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_462 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_461 else (not
-        (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_463 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_462 else (not
-        (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_464 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_463 else
-        ((transform_right_filter_column_0_4 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_465 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_466 := transform_right_filter_feature_0_choice_465 when
-        ((transform_right_filter_column_0_3 / 2) mod 2) = 1 else ((transform_right_filter_column_0_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_467 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_466 else (not
-        (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_468 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_467 else (not
-        (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_469 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_468 else (not
-        (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_470 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_469 else (not
-        (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_471 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_470 else (not
-        (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_472 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_471 else
-        ((transform_right_filter_column_0_3 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_473 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_474 := transform_right_filter_feature_0_choice_473 when
-        ((transform_right_filter_column_0_2 / 2) mod 2) = 1 else ((transform_right_filter_column_0_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_475 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_474 else (not
-        (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_476 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_475 else (not
-        (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_477 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_476 else (not
-        (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_478 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_477 else (not
-        (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_479 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_478 else (not
-        (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_480 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_479 else
-        ((transform_right_filter_column_0_2 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_481 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_482 := transform_right_filter_feature_0_choice_481 when
-        ((transform_right_filter_column_0_1 / 2) mod 2) = 1 else ((transform_right_filter_column_0_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_483 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_482 else (not
-        (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_484 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_483 else (not
-        (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_485 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_484 else (not
-        (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_486 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_485 else (not
-        (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_487 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_486 else (not
-        (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_488 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) when transform_right_filter_feature_0_choice_487 else
-        ((transform_right_filter_column_0_1 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1));
-      transform_right_filter_feature_0_choice_489 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1) when
-        (transform_right_filter_column_4_3 mod 2) = 1 else (transform_right_filter_column_0_0 mod 4) = 0;
-      transform_right_filter_feature_0_choice_490 := ((transform_right_filter_column_4_3 mod 2) = 1) or (not
-        (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) = 1))
-        when transform_right_filter_feature_0_value else transform_right_filter_feature_0_choice_489;
+      if transform_right_filter_feature_0_choice_6 then
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_8_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_7 then
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_8_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_8_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_8_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_9 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9;
+      else
+        transform_right_filter_feature_0_choice_10 := ((transform_right_filter_column_8_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_10 then
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_8_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_11 then
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_8_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_12 then
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_8_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_13 then
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_8_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_14 then
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_8_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_15 then
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_8_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_8_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_8_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_17 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17;
+      else
+        transform_right_filter_feature_0_choice_18 := ((transform_right_filter_column_8_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_18 then
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_8_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_19 then
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_8_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_20 then
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_8_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_21 then
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_8_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_22 then
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_8_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_23 then
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_8_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_8_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_8_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_25 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25;
+      else
+        transform_right_filter_feature_0_choice_26 := ((transform_right_filter_column_8_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_26 then
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_8_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_8_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_27 then
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_8_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_8_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_28 then
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_8_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_8_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_29 then
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_8_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_8_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_30 then
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_8_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_8_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_31 then
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_8_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_8_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_8_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_33 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33;
+      else
+        transform_right_filter_feature_0_choice_34 := ((transform_right_filter_column_8_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_34 then
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_8_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_35 then
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_8_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_36 then
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_8_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_37 then
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_8_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_38 then
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_8_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_39 then
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_8_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_8_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_8_5 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_41 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_5 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41;
+      else
+        transform_right_filter_feature_0_choice_42 := ((transform_right_filter_column_8_5 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_42 then
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_8_5 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_8_5 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_43 then
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_8_5 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_8_5 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_44 then
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_8_5 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_8_5 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_45 then
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_8_5 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_8_5 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_46 then
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_8_5 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_8_5 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_47 then
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_8_5 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_8_5 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_8_6 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_49 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_8_6 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49;
+      else
+        transform_right_filter_feature_0_choice_50 := ((transform_right_filter_column_8_6 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_50 then
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_8_6 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_8_6 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_51 then
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_8_6 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_8_6 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_52 then
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_8_6 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_8_6 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_53 then
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_8_6 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_8_6 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_54 then
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_8_6 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_8_6 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_55 then
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_8_6 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_8_6 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_7_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_57 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_7_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57;
+      else
+        transform_right_filter_feature_0_choice_58 := ((transform_right_filter_column_7_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_58 then
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_7_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_59 then
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_7_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_60 then
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_7_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_61 then
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_7_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_62 then
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_7_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_63 then
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_7_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_7_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_7_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_65 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_7_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65;
+      else
+        transform_right_filter_feature_0_choice_66 := ((transform_right_filter_column_7_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_66 then
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_7_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_67 then
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_7_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_68 then
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_7_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_69 then
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_7_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_70 then
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_7_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_71 then
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_7_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_7_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_7_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_73 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_7_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73;
+      else
+        transform_right_filter_feature_0_choice_74 := ((transform_right_filter_column_7_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_74 then
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_7_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_75 then
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_7_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_76 then
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_7_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_77 then
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_7_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_78 then
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_7_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_79 then
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_7_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_7_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_7_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_81 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_7_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81;
+      else
+        transform_right_filter_feature_0_choice_82 := ((transform_right_filter_column_7_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_82 then
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_7_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_7_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_83 then
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_7_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_7_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_84 then
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_7_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_7_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_85 then
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_7_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_7_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_86 then
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_7_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_7_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_87 then
+        transform_right_filter_feature_0_choice_88 := ((transform_right_filter_column_7_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_88 := ((transform_right_filter_column_7_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_7_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_89 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_7_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_choice_89;
+      else
+        transform_right_filter_feature_0_choice_90 := ((transform_right_filter_column_7_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_90 then
+        transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_7_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_7_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_91 then
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_7_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_7_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_92 then
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_7_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_7_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_93 then
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_7_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_7_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_94 then
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_7_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_7_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_95 then
+        transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_7_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_7_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_7_5 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_97 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_7_5 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97;
+      else
+        transform_right_filter_feature_0_choice_98 := ((transform_right_filter_column_7_5 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_98 then
+        transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_7_5 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_7_5 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_99 then
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_7_5 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_7_5 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_100 then
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_7_5 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_7_5 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_101 then
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_7_5 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_7_5 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_102 then
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_7_5 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_7_5 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_103 then
+        transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_7_5 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_7_5 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_7_6 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_105 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_7_6 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_choice_105;
+      else
+        transform_right_filter_feature_0_choice_106 := ((transform_right_filter_column_7_6 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_106 then
+        transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_7_6 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_7_6 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_107 then
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_7_6 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_7_6 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_108 then
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_7_6 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_7_6 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_109 then
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_7_6 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_7_6 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_110 then
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_7_6 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_7_6 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_111 then
+        transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_7_6 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_7_6 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_6_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_113 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_113 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_choice_113;
+      else
+        transform_right_filter_feature_0_choice_114 := ((transform_right_filter_column_6_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_114 then
+        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_6_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_115 then
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_6_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_116 then
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_6_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_117 then
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_6_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_118 then
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_6_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_119 then
+        transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_6_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_6_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_6_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_121 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_121 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_choice_121;
+      else
+        transform_right_filter_feature_0_choice_122 := ((transform_right_filter_column_6_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_122 then
+        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_6_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_123 then
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_6_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_124 then
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_6_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_125 then
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_6_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_126 then
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_6_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_127 then
+        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_6_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_6_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_6_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_129 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_129 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_choice_129;
+      else
+        transform_right_filter_feature_0_choice_130 := ((transform_right_filter_column_6_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_130 then
+        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_6_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_131 then
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_6_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_132 then
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_6_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_133 then
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_6_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_134 then
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_6_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_135 then
+        transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_6_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_6_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_6_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_137 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_choice_137;
+      else
+        transform_right_filter_feature_0_choice_138 := ((transform_right_filter_column_6_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_138 then
+        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_6_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_139 then
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_6_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_140 then
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_6_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_141 then
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_6_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_142 then
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_6_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_143 then
+        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_6_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_6_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_6_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_145 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_145 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_choice_145;
+      else
+        transform_right_filter_feature_0_choice_146 := ((transform_right_filter_column_6_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_146 then
+        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_6_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_147 then
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_6_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_148 then
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_6_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_149 then
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_6_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_150 then
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_6_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_151 then
+        transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_6_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_6_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_6_5 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_153 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_5 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_choice_153;
+      else
+        transform_right_filter_feature_0_choice_154 := ((transform_right_filter_column_6_5 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_154 then
+        transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_6_5 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_6_5 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_155 then
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_6_5 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_6_5 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_156 then
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_6_5 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_6_5 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_157 then
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_6_5 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_6_5 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_158 then
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_6_5 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_6_5 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_159 then
+        transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_6_5 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_6_5 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_6_6 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_161 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_6_6 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161;
+      else
+        transform_right_filter_feature_0_choice_162 := ((transform_right_filter_column_6_6 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_162 then
+        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_6_6 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_6_6 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_163 then
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_6_6 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_6_6 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_164 then
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_6_6 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_6_6 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_165 then
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_6_6 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_6_6 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_166 then
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_6_6 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_6_6 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_167 then
+        transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_6_6 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_6_6 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_169 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_5_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_choice_169;
+      else
+        transform_right_filter_feature_0_choice_170 := ((transform_right_filter_column_5_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_170 then
+        transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_5_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_171 then
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_5_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_172 then
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_5_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_173 then
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_5_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_174 then
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_5_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_175 then
+        transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_5_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_5_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_177 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_177 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_5_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_choice_177;
+      else
+        transform_right_filter_feature_0_choice_178 := ((transform_right_filter_column_5_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_178 then
+        transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_5_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_179 then
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_5_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_180 then
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_5_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_181 then
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_5_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_182 then
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_5_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_183 then
+        transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_5_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_5_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_185 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_185 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_5_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_186 := transform_right_filter_feature_0_choice_185;
+      else
+        transform_right_filter_feature_0_choice_186 := ((transform_right_filter_column_5_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_186 then
+        transform_right_filter_feature_0_choice_187 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_187 := (not (((transform_right_filter_column_5_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_187 then
+        transform_right_filter_feature_0_choice_188 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_188 := (not (((transform_right_filter_column_5_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_188 then
+        transform_right_filter_feature_0_choice_189 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_189 := (not (((transform_right_filter_column_5_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_189 then
+        transform_right_filter_feature_0_choice_190 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_190 := (not (((transform_right_filter_column_5_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_190 then
+        transform_right_filter_feature_0_choice_191 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_191 := (not (((transform_right_filter_column_5_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_191 then
+        transform_right_filter_feature_0_choice_192 := ((transform_right_filter_column_5_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_192 := ((transform_right_filter_column_5_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_193 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_193 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_5_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_194 := transform_right_filter_feature_0_choice_193;
+      else
+        transform_right_filter_feature_0_choice_194 := ((transform_right_filter_column_5_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_194 then
+        transform_right_filter_feature_0_choice_195 := (not (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_195 := (not (((transform_right_filter_column_5_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_195 then
+        transform_right_filter_feature_0_choice_196 := (not (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_196 := (not (((transform_right_filter_column_5_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_196 then
+        transform_right_filter_feature_0_choice_197 := (not (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_197 := (not (((transform_right_filter_column_5_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_197 then
+        transform_right_filter_feature_0_choice_198 := (not (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_198 := (not (((transform_right_filter_column_5_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_198 then
+        transform_right_filter_feature_0_choice_199 := (not (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_199 := (not (((transform_right_filter_column_5_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_199 then
+        transform_right_filter_feature_0_choice_200 := ((transform_right_filter_column_5_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_200 := ((transform_right_filter_column_5_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_201 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_201 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_5_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_202 := transform_right_filter_feature_0_choice_201;
+      else
+        transform_right_filter_feature_0_choice_202 := ((transform_right_filter_column_5_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_202 then
+        transform_right_filter_feature_0_choice_203 := (not (((transform_right_filter_column_5_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_203 := (not (((transform_right_filter_column_5_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_203 then
+        transform_right_filter_feature_0_choice_204 := (not (((transform_right_filter_column_5_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_204 := (not (((transform_right_filter_column_5_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_204 then
+        transform_right_filter_feature_0_choice_205 := (not (((transform_right_filter_column_5_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_205 := (not (((transform_right_filter_column_5_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_205 then
+        transform_right_filter_feature_0_choice_206 := (not (((transform_right_filter_column_5_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_206 := (not (((transform_right_filter_column_5_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_206 then
+        transform_right_filter_feature_0_choice_207 := (not (((transform_right_filter_column_5_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_207 := (not (((transform_right_filter_column_5_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_207 then
+        transform_right_filter_feature_0_choice_208 := ((transform_right_filter_column_5_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_208 := ((transform_right_filter_column_5_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_5 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_209 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_209 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_5_5 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_210 := transform_right_filter_feature_0_choice_209;
+      else
+        transform_right_filter_feature_0_choice_210 := ((transform_right_filter_column_5_5 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_210 then
+        transform_right_filter_feature_0_choice_211 := (not (((transform_right_filter_column_5_5 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_211 := (not (((transform_right_filter_column_5_5 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_211 then
+        transform_right_filter_feature_0_choice_212 := (not (((transform_right_filter_column_5_5 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_212 := (not (((transform_right_filter_column_5_5 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_212 then
+        transform_right_filter_feature_0_choice_213 := (not (((transform_right_filter_column_5_5 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_213 := (not (((transform_right_filter_column_5_5 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_213 then
+        transform_right_filter_feature_0_choice_214 := (not (((transform_right_filter_column_5_5 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_214 := (not (((transform_right_filter_column_5_5 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_214 then
+        transform_right_filter_feature_0_choice_215 := (not (((transform_right_filter_column_5_5 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_215 := (not (((transform_right_filter_column_5_5 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_215 then
+        transform_right_filter_feature_0_choice_216 := ((transform_right_filter_column_5_5 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_216 := ((transform_right_filter_column_5_5 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_5_6 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_217 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_217 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_5_6 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_218 := transform_right_filter_feature_0_choice_217;
+      else
+        transform_right_filter_feature_0_choice_218 := ((transform_right_filter_column_5_6 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_218 then
+        transform_right_filter_feature_0_choice_219 := (not (((transform_right_filter_column_5_6 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_219 := (not (((transform_right_filter_column_5_6 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_219 then
+        transform_right_filter_feature_0_choice_220 := (not (((transform_right_filter_column_5_6 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_220 := (not (((transform_right_filter_column_5_6 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_220 then
+        transform_right_filter_feature_0_choice_221 := (not (((transform_right_filter_column_5_6 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_221 := (not (((transform_right_filter_column_5_6 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_221 then
+        transform_right_filter_feature_0_choice_222 := (not (((transform_right_filter_column_5_6 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_222 := (not (((transform_right_filter_column_5_6 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_222 then
+        transform_right_filter_feature_0_choice_223 := (not (((transform_right_filter_column_5_6 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_223 := (not (((transform_right_filter_column_5_6 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_223 then
+        transform_right_filter_feature_0_choice_224 := ((transform_right_filter_column_5_6 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_224 := ((transform_right_filter_column_5_6 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_6 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_225 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_225 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_6 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_226 := transform_right_filter_feature_0_choice_225;
+      else
+        transform_right_filter_feature_0_choice_226 := ((transform_right_filter_column_4_6 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_226 then
+        transform_right_filter_feature_0_choice_227 := (not (((transform_right_filter_column_4_6 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_227 := (not (((transform_right_filter_column_4_6 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_227 then
+        transform_right_filter_feature_0_choice_228 := (not (((transform_right_filter_column_4_6 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_228 := (not (((transform_right_filter_column_4_6 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_228 then
+        transform_right_filter_feature_0_choice_229 := (not (((transform_right_filter_column_4_6 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_229 := (not (((transform_right_filter_column_4_6 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_229 then
+        transform_right_filter_feature_0_choice_230 := (not (((transform_right_filter_column_4_6 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_230 := (not (((transform_right_filter_column_4_6 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_230 then
+        transform_right_filter_feature_0_choice_231 := (not (((transform_right_filter_column_4_6 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_231 := (not (((transform_right_filter_column_4_6 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_231 then
+        transform_right_filter_feature_0_choice_232 := transform_filtering_0_column_inside_4 and
+          ((transform_right_filter_column_4_6 / 128) = 1) and (not ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_232 := transform_filtering_0_column_inside_4 and
+          (((transform_right_filter_column_4_6 / 128) = 1) or (not ((transform_right_filter_column_4_3 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_4_5 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_233 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_233 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_5 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_234 := transform_right_filter_feature_0_choice_233;
+      else
+        transform_right_filter_feature_0_choice_234 := ((transform_right_filter_column_4_5 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_234 then
+        transform_right_filter_feature_0_choice_235 := (not (((transform_right_filter_column_4_5 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_235 := (not (((transform_right_filter_column_4_5 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_235 then
+        transform_right_filter_feature_0_choice_236 := (not (((transform_right_filter_column_4_5 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_236 := (not (((transform_right_filter_column_4_5 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_236 then
+        transform_right_filter_feature_0_choice_237 := (not (((transform_right_filter_column_4_5 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_237 := (not (((transform_right_filter_column_4_5 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_237 then
+        transform_right_filter_feature_0_choice_238 := (not (((transform_right_filter_column_4_5 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_238 := (not (((transform_right_filter_column_4_5 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_238 then
+        transform_right_filter_feature_0_choice_239 := (not (((transform_right_filter_column_4_5 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_239 := (not (((transform_right_filter_column_4_5 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_239 then
+        transform_right_filter_feature_0_choice_240 := ((transform_right_filter_column_4_5 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_240 := ((transform_right_filter_column_4_5 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_241 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_241 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_242 := transform_right_filter_feature_0_choice_241;
+      else
+        transform_right_filter_feature_0_choice_242 := ((transform_right_filter_column_4_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_242 then
+        transform_right_filter_feature_0_choice_243 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_243 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_243 then
+        transform_right_filter_feature_0_choice_244 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_244 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_244 then
+        transform_right_filter_feature_0_choice_245 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_245 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_245 then
+        transform_right_filter_feature_0_choice_246 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_246 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_246 then
+        transform_right_filter_feature_0_choice_247 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_247 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_247 then
+        transform_right_filter_feature_0_choice_248 := ((transform_right_filter_column_4_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_248 := ((transform_right_filter_column_4_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_249 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_249 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_250 := transform_right_filter_feature_0_choice_249;
+      else
+        transform_right_filter_feature_0_choice_250 := ((transform_right_filter_column_4_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_250 then
+        transform_right_filter_feature_0_choice_251 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_251 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_251 then
+        transform_right_filter_feature_0_choice_252 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_252 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_252 then
+        transform_right_filter_feature_0_choice_253 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_253 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_253 then
+        transform_right_filter_feature_0_choice_254 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_254 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_254 then
+        transform_right_filter_feature_0_choice_255 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_255 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_255 then
+        transform_right_filter_feature_0_choice_256 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_256 := ((transform_right_filter_column_4_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_257 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_257 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_258 := transform_right_filter_feature_0_choice_257;
+      else
+        transform_right_filter_feature_0_choice_258 := ((transform_right_filter_column_4_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_258 then
+        transform_right_filter_feature_0_choice_259 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_259 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_259 then
+        transform_right_filter_feature_0_choice_260 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_260 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_260 then
+        transform_right_filter_feature_0_choice_261 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_261 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_261 then
+        transform_right_filter_feature_0_choice_262 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_262 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_262 then
+        transform_right_filter_feature_0_choice_263 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_263 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_263 then
+        transform_right_filter_feature_0_choice_264 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_264 := ((transform_right_filter_column_4_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_265 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_265 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_266 := transform_right_filter_feature_0_choice_265;
+      else
+        transform_right_filter_feature_0_choice_266 := ((transform_right_filter_column_4_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_266 then
+        transform_right_filter_feature_0_choice_267 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_267 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_267 then
+        transform_right_filter_feature_0_choice_268 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_268 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_268 then
+        transform_right_filter_feature_0_choice_269 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_269 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_269 then
+        transform_right_filter_feature_0_choice_270 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_270 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_270 then
+        transform_right_filter_feature_0_choice_271 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_271 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_271 then
+        transform_right_filter_feature_0_choice_272 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_272 := ((transform_right_filter_column_4_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_5 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_273 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_273 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_5 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_274 := transform_right_filter_feature_0_choice_273;
+      else
+        transform_right_filter_feature_0_choice_274 := ((transform_right_filter_column_3_5 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_274 then
+        transform_right_filter_feature_0_choice_275 := (not (((transform_right_filter_column_3_5 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_275 := (not (((transform_right_filter_column_3_5 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_275 then
+        transform_right_filter_feature_0_choice_276 := (not (((transform_right_filter_column_3_5 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_276 := (not (((transform_right_filter_column_3_5 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_276 then
+        transform_right_filter_feature_0_choice_277 := (not (((transform_right_filter_column_3_5 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_277 := (not (((transform_right_filter_column_3_5 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_277 then
+        transform_right_filter_feature_0_choice_278 := (not (((transform_right_filter_column_3_5 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_278 := (not (((transform_right_filter_column_3_5 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_278 then
+        transform_right_filter_feature_0_choice_279 := (not (((transform_right_filter_column_3_5 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_279 := (not (((transform_right_filter_column_3_5 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_279 then
+        transform_right_filter_feature_0_choice_280 := ((transform_right_filter_column_3_5 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_280 := ((transform_right_filter_column_3_5 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_6 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_281 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_281 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_6 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_282 := transform_right_filter_feature_0_choice_281;
+      else
+        transform_right_filter_feature_0_choice_282 := ((transform_right_filter_column_3_6 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_282 then
+        transform_right_filter_feature_0_choice_283 := (not (((transform_right_filter_column_3_6 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_283 := (not (((transform_right_filter_column_3_6 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_283 then
+        transform_right_filter_feature_0_choice_284 := (not (((transform_right_filter_column_3_6 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_284 := (not (((transform_right_filter_column_3_6 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_284 then
+        transform_right_filter_feature_0_choice_285 := (not (((transform_right_filter_column_3_6 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_285 := (not (((transform_right_filter_column_3_6 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_285 then
+        transform_right_filter_feature_0_choice_286 := (not (((transform_right_filter_column_3_6 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_286 := (not (((transform_right_filter_column_3_6 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_286 then
+        transform_right_filter_feature_0_choice_287 := (not (((transform_right_filter_column_3_6 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_287 := (not (((transform_right_filter_column_3_6 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_287 then
+        transform_right_filter_feature_0_choice_288 := ((transform_right_filter_column_3_6 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_288 := ((transform_right_filter_column_3_6 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_289 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_289 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_290 := transform_right_filter_feature_0_choice_289;
+      else
+        transform_right_filter_feature_0_choice_290 := ((transform_right_filter_column_3_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_290 then
+        transform_right_filter_feature_0_choice_291 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_291 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_291 then
+        transform_right_filter_feature_0_choice_292 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_292 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_292 then
+        transform_right_filter_feature_0_choice_293 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_293 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_293 then
+        transform_right_filter_feature_0_choice_294 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_294 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_294 then
+        transform_right_filter_feature_0_choice_295 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_295 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_295 then
+        transform_right_filter_feature_0_choice_296 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_296 := ((transform_right_filter_column_3_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_297 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_297 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_298 := transform_right_filter_feature_0_choice_297;
+      else
+        transform_right_filter_feature_0_choice_298 := ((transform_right_filter_column_3_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_298 then
+        transform_right_filter_feature_0_choice_299 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_299 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_299 then
+        transform_right_filter_feature_0_choice_300 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_300 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_300 then
+        transform_right_filter_feature_0_choice_301 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_301 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_301 then
+        transform_right_filter_feature_0_choice_302 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_302 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_302 then
+        transform_right_filter_feature_0_choice_303 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_303 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_303 then
+        transform_right_filter_feature_0_choice_304 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_304 := ((transform_right_filter_column_3_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_305 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_305 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_306 := transform_right_filter_feature_0_choice_305;
+      else
+        transform_right_filter_feature_0_choice_306 := ((transform_right_filter_column_3_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_306 then
+        transform_right_filter_feature_0_choice_307 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_307 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_307 then
+        transform_right_filter_feature_0_choice_308 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_308 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_308 then
+        transform_right_filter_feature_0_choice_309 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_309 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_309 then
+        transform_right_filter_feature_0_choice_310 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_310 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_310 then
+        transform_right_filter_feature_0_choice_311 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_311 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_311 then
+        transform_right_filter_feature_0_choice_312 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_312 := ((transform_right_filter_column_3_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_313 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_313 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_314 := transform_right_filter_feature_0_choice_313;
+      else
+        transform_right_filter_feature_0_choice_314 := ((transform_right_filter_column_3_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_314 then
+        transform_right_filter_feature_0_choice_315 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_315 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_315 then
+        transform_right_filter_feature_0_choice_316 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_316 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_316 then
+        transform_right_filter_feature_0_choice_317 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_317 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_317 then
+        transform_right_filter_feature_0_choice_318 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_318 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_318 then
+        transform_right_filter_feature_0_choice_319 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_319 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_319 then
+        transform_right_filter_feature_0_choice_320 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_320 := ((transform_right_filter_column_3_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_321 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_321 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_322 := transform_right_filter_feature_0_choice_321;
+      else
+        transform_right_filter_feature_0_choice_322 := ((transform_right_filter_column_3_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_322 then
+        transform_right_filter_feature_0_choice_323 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_323 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_323 then
+        transform_right_filter_feature_0_choice_324 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_324 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_324 then
+        transform_right_filter_feature_0_choice_325 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_325 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_325 then
+        transform_right_filter_feature_0_choice_326 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_326 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_326 then
+        transform_right_filter_feature_0_choice_327 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_327 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_327 then
+        transform_right_filter_feature_0_choice_328 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_328 := ((transform_right_filter_column_3_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_5 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_329 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_329 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_5 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_330 := transform_right_filter_feature_0_choice_329;
+      else
+        transform_right_filter_feature_0_choice_330 := ((transform_right_filter_column_2_5 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_330 then
+        transform_right_filter_feature_0_choice_331 := (not (((transform_right_filter_column_2_5 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_331 := (not (((transform_right_filter_column_2_5 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_331 then
+        transform_right_filter_feature_0_choice_332 := (not (((transform_right_filter_column_2_5 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_332 := (not (((transform_right_filter_column_2_5 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_332 then
+        transform_right_filter_feature_0_choice_333 := (not (((transform_right_filter_column_2_5 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_333 := (not (((transform_right_filter_column_2_5 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_333 then
+        transform_right_filter_feature_0_choice_334 := (not (((transform_right_filter_column_2_5 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_334 := (not (((transform_right_filter_column_2_5 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_334 then
+        transform_right_filter_feature_0_choice_335 := (not (((transform_right_filter_column_2_5 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_335 := (not (((transform_right_filter_column_2_5 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_335 then
+        transform_right_filter_feature_0_choice_336 := ((transform_right_filter_column_2_5 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_336 := ((transform_right_filter_column_2_5 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_6 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_337 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_337 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_6 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_338 := transform_right_filter_feature_0_choice_337;
+      else
+        transform_right_filter_feature_0_choice_338 := ((transform_right_filter_column_2_6 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_338 then
+        transform_right_filter_feature_0_choice_339 := (not (((transform_right_filter_column_2_6 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_339 := (not (((transform_right_filter_column_2_6 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_339 then
+        transform_right_filter_feature_0_choice_340 := (not (((transform_right_filter_column_2_6 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_340 := (not (((transform_right_filter_column_2_6 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_340 then
+        transform_right_filter_feature_0_choice_341 := (not (((transform_right_filter_column_2_6 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_341 := (not (((transform_right_filter_column_2_6 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_341 then
+        transform_right_filter_feature_0_choice_342 := (not (((transform_right_filter_column_2_6 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_342 := (not (((transform_right_filter_column_2_6 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_342 then
+        transform_right_filter_feature_0_choice_343 := (not (((transform_right_filter_column_2_6 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_343 := (not (((transform_right_filter_column_2_6 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_343 then
+        transform_right_filter_feature_0_choice_344 := ((transform_right_filter_column_2_6 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_344 := ((transform_right_filter_column_2_6 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_345 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_345 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_346 := transform_right_filter_feature_0_choice_345;
+      else
+        transform_right_filter_feature_0_choice_346 := ((transform_right_filter_column_2_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_346 then
+        transform_right_filter_feature_0_choice_347 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_347 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_347 then
+        transform_right_filter_feature_0_choice_348 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_348 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_348 then
+        transform_right_filter_feature_0_choice_349 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_349 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_349 then
+        transform_right_filter_feature_0_choice_350 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_350 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_350 then
+        transform_right_filter_feature_0_choice_351 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_351 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_351 then
+        transform_right_filter_feature_0_choice_352 := ((transform_right_filter_column_2_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_352 := ((transform_right_filter_column_2_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_353 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_353 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_354 := transform_right_filter_feature_0_choice_353;
+      else
+        transform_right_filter_feature_0_choice_354 := ((transform_right_filter_column_2_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_354 then
+        transform_right_filter_feature_0_choice_355 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_355 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_355 then
+        transform_right_filter_feature_0_choice_356 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_356 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_356 then
+        transform_right_filter_feature_0_choice_357 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_357 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_357 then
+        transform_right_filter_feature_0_choice_358 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_358 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_358 then
+        transform_right_filter_feature_0_choice_359 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_359 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_359 then
+        transform_right_filter_feature_0_choice_360 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_360 := ((transform_right_filter_column_2_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_361 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_361 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_362 := transform_right_filter_feature_0_choice_361;
+      else
+        transform_right_filter_feature_0_choice_362 := ((transform_right_filter_column_2_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_362 then
+        transform_right_filter_feature_0_choice_363 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_363 := (not (((transform_right_filter_column_2_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_363 then
+        transform_right_filter_feature_0_choice_364 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_364 := (not (((transform_right_filter_column_2_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_364 then
+        transform_right_filter_feature_0_choice_365 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_365 := (not (((transform_right_filter_column_2_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_365 then
+        transform_right_filter_feature_0_choice_366 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_366 := (not (((transform_right_filter_column_2_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_366 then
+        transform_right_filter_feature_0_choice_367 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_367 := (not (((transform_right_filter_column_2_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_367 then
+        transform_right_filter_feature_0_choice_368 := ((transform_right_filter_column_2_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_368 := ((transform_right_filter_column_2_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_369 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_369 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_370 := transform_right_filter_feature_0_choice_369;
+      else
+        transform_right_filter_feature_0_choice_370 := ((transform_right_filter_column_2_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_370 then
+        transform_right_filter_feature_0_choice_371 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_371 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_371 then
+        transform_right_filter_feature_0_choice_372 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_372 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_372 then
+        transform_right_filter_feature_0_choice_373 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_373 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_373 then
+        transform_right_filter_feature_0_choice_374 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_374 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_374 then
+        transform_right_filter_feature_0_choice_375 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_375 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_375 then
+        transform_right_filter_feature_0_choice_376 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_376 := ((transform_right_filter_column_2_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_377 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_377 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_378 := transform_right_filter_feature_0_choice_377;
+      else
+        transform_right_filter_feature_0_choice_378 := ((transform_right_filter_column_2_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_378 then
+        transform_right_filter_feature_0_choice_379 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_379 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_379 then
+        transform_right_filter_feature_0_choice_380 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_380 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_380 then
+        transform_right_filter_feature_0_choice_381 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_381 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_381 then
+        transform_right_filter_feature_0_choice_382 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_382 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_382 then
+        transform_right_filter_feature_0_choice_383 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_383 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_383 then
+        transform_right_filter_feature_0_choice_384 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_384 := ((transform_right_filter_column_2_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_5 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_385 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_385 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_5 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_386 := transform_right_filter_feature_0_choice_385;
+      else
+        transform_right_filter_feature_0_choice_386 := ((transform_right_filter_column_1_5 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_386 then
+        transform_right_filter_feature_0_choice_387 := (not (((transform_right_filter_column_1_5 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_387 := (not (((transform_right_filter_column_1_5 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_387 then
+        transform_right_filter_feature_0_choice_388 := (not (((transform_right_filter_column_1_5 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_388 := (not (((transform_right_filter_column_1_5 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_388 then
+        transform_right_filter_feature_0_choice_389 := (not (((transform_right_filter_column_1_5 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_389 := (not (((transform_right_filter_column_1_5 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_389 then
+        transform_right_filter_feature_0_choice_390 := (not (((transform_right_filter_column_1_5 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_390 := (not (((transform_right_filter_column_1_5 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_390 then
+        transform_right_filter_feature_0_choice_391 := (not (((transform_right_filter_column_1_5 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_391 := (not (((transform_right_filter_column_1_5 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_391 then
+        transform_right_filter_feature_0_choice_392 := ((transform_right_filter_column_1_5 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_392 := ((transform_right_filter_column_1_5 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_6 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_393 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_393 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_6 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_394 := transform_right_filter_feature_0_choice_393;
+      else
+        transform_right_filter_feature_0_choice_394 := ((transform_right_filter_column_1_6 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_394 then
+        transform_right_filter_feature_0_choice_395 := (not (((transform_right_filter_column_1_6 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_395 := (not (((transform_right_filter_column_1_6 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_395 then
+        transform_right_filter_feature_0_choice_396 := (not (((transform_right_filter_column_1_6 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_396 := (not (((transform_right_filter_column_1_6 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_396 then
+        transform_right_filter_feature_0_choice_397 := (not (((transform_right_filter_column_1_6 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_397 := (not (((transform_right_filter_column_1_6 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_397 then
+        transform_right_filter_feature_0_choice_398 := (not (((transform_right_filter_column_1_6 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_398 := (not (((transform_right_filter_column_1_6 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_398 then
+        transform_right_filter_feature_0_choice_399 := (not (((transform_right_filter_column_1_6 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_399 := (not (((transform_right_filter_column_1_6 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_399 then
+        transform_right_filter_feature_0_choice_400 := ((transform_right_filter_column_1_6 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_400 := ((transform_right_filter_column_1_6 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_401 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_401 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_402 := transform_right_filter_feature_0_choice_401;
+      else
+        transform_right_filter_feature_0_choice_402 := ((transform_right_filter_column_1_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_402 then
+        transform_right_filter_feature_0_choice_403 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_403 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_403 then
+        transform_right_filter_feature_0_choice_404 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_404 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_404 then
+        transform_right_filter_feature_0_choice_405 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_405 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_405 then
+        transform_right_filter_feature_0_choice_406 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_406 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_406 then
+        transform_right_filter_feature_0_choice_407 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_407 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_407 then
+        transform_right_filter_feature_0_choice_408 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_408 := ((transform_right_filter_column_1_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_409 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_409 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_410 := transform_right_filter_feature_0_choice_409;
+      else
+        transform_right_filter_feature_0_choice_410 := ((transform_right_filter_column_1_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_410 then
+        transform_right_filter_feature_0_choice_411 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_411 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_411 then
+        transform_right_filter_feature_0_choice_412 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_412 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_412 then
+        transform_right_filter_feature_0_choice_413 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_413 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_413 then
+        transform_right_filter_feature_0_choice_414 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_414 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_414 then
+        transform_right_filter_feature_0_choice_415 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_415 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_415 then
+        transform_right_filter_feature_0_choice_416 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_416 := ((transform_right_filter_column_1_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_417 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_417 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_418 := transform_right_filter_feature_0_choice_417;
+      else
+        transform_right_filter_feature_0_choice_418 := ((transform_right_filter_column_1_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_418 then
+        transform_right_filter_feature_0_choice_419 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_419 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_419 then
+        transform_right_filter_feature_0_choice_420 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_420 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_420 then
+        transform_right_filter_feature_0_choice_421 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_421 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_421 then
+        transform_right_filter_feature_0_choice_422 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_422 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_422 then
+        transform_right_filter_feature_0_choice_423 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_423 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_423 then
+        transform_right_filter_feature_0_choice_424 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_424 := ((transform_right_filter_column_1_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_425 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_425 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_426 := transform_right_filter_feature_0_choice_425;
+      else
+        transform_right_filter_feature_0_choice_426 := ((transform_right_filter_column_1_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_426 then
+        transform_right_filter_feature_0_choice_427 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_427 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_427 then
+        transform_right_filter_feature_0_choice_428 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_428 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_428 then
+        transform_right_filter_feature_0_choice_429 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_429 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_429 then
+        transform_right_filter_feature_0_choice_430 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_430 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_430 then
+        transform_right_filter_feature_0_choice_431 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_431 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_431 then
+        transform_right_filter_feature_0_choice_432 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_432 := ((transform_right_filter_column_1_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_433 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_433 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_434 := transform_right_filter_feature_0_choice_433;
+      else
+        transform_right_filter_feature_0_choice_434 := ((transform_right_filter_column_1_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_434 then
+        transform_right_filter_feature_0_choice_435 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_435 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_435 then
+        transform_right_filter_feature_0_choice_436 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_436 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_436 then
+        transform_right_filter_feature_0_choice_437 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_437 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_437 then
+        transform_right_filter_feature_0_choice_438 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_438 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_438 then
+        transform_right_filter_feature_0_choice_439 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_439 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_439 then
+        transform_right_filter_feature_0_choice_440 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_440 := ((transform_right_filter_column_1_0 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_5 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_441 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_441 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_5 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_442 := transform_right_filter_feature_0_choice_441;
+      else
+        transform_right_filter_feature_0_choice_442 := ((transform_right_filter_column_0_5 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_442 then
+        transform_right_filter_feature_0_choice_443 := (not (((transform_right_filter_column_0_5 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_443 := (not (((transform_right_filter_column_0_5 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_443 then
+        transform_right_filter_feature_0_choice_444 := (not (((transform_right_filter_column_0_5 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_444 := (not (((transform_right_filter_column_0_5 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_444 then
+        transform_right_filter_feature_0_choice_445 := (not (((transform_right_filter_column_0_5 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_445 := (not (((transform_right_filter_column_0_5 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_445 then
+        transform_right_filter_feature_0_choice_446 := (not (((transform_right_filter_column_0_5 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_446 := (not (((transform_right_filter_column_0_5 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_446 then
+        transform_right_filter_feature_0_choice_447 := (not (((transform_right_filter_column_0_5 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_447 := (not (((transform_right_filter_column_0_5 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_447 then
+        transform_right_filter_feature_0_choice_448 := ((transform_right_filter_column_0_5 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_448 := ((transform_right_filter_column_0_5 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_6 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_449 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_449 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_6 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_450 := transform_right_filter_feature_0_choice_449;
+      else
+        transform_right_filter_feature_0_choice_450 := ((transform_right_filter_column_0_6 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_450 then
+        transform_right_filter_feature_0_choice_451 := (not (((transform_right_filter_column_0_6 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_451 := (not (((transform_right_filter_column_0_6 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_451 then
+        transform_right_filter_feature_0_choice_452 := (not (((transform_right_filter_column_0_6 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_452 := (not (((transform_right_filter_column_0_6 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_452 then
+        transform_right_filter_feature_0_choice_453 := (not (((transform_right_filter_column_0_6 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_453 := (not (((transform_right_filter_column_0_6 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_453 then
+        transform_right_filter_feature_0_choice_454 := (not (((transform_right_filter_column_0_6 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_454 := (not (((transform_right_filter_column_0_6 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_454 then
+        transform_right_filter_feature_0_choice_455 := (not (((transform_right_filter_column_0_6 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_455 := (not (((transform_right_filter_column_0_6 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_455 then
+        transform_right_filter_feature_0_choice_456 := ((transform_right_filter_column_0_6 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_456 := ((transform_right_filter_column_0_6 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_457 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_457 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_458 := transform_right_filter_feature_0_choice_457;
+      else
+        transform_right_filter_feature_0_choice_458 := ((transform_right_filter_column_0_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_458 then
+        transform_right_filter_feature_0_choice_459 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_459 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_459 then
+        transform_right_filter_feature_0_choice_460 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_460 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_460 then
+        transform_right_filter_feature_0_choice_461 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_461 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_461 then
+        transform_right_filter_feature_0_choice_462 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_462 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_462 then
+        transform_right_filter_feature_0_choice_463 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_463 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_463 then
+        transform_right_filter_feature_0_choice_464 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_464 := ((transform_right_filter_column_0_4 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_465 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_465 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_466 := transform_right_filter_feature_0_choice_465;
+      else
+        transform_right_filter_feature_0_choice_466 := ((transform_right_filter_column_0_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_466 then
+        transform_right_filter_feature_0_choice_467 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_467 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_467 then
+        transform_right_filter_feature_0_choice_468 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_468 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_468 then
+        transform_right_filter_feature_0_choice_469 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_469 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_469 then
+        transform_right_filter_feature_0_choice_470 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_470 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_470 then
+        transform_right_filter_feature_0_choice_471 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_471 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_471 then
+        transform_right_filter_feature_0_choice_472 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_472 := ((transform_right_filter_column_0_3 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_473 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_473 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_474 := transform_right_filter_feature_0_choice_473;
+      else
+        transform_right_filter_feature_0_choice_474 := ((transform_right_filter_column_0_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_474 then
+        transform_right_filter_feature_0_choice_475 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_475 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_475 then
+        transform_right_filter_feature_0_choice_476 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_476 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_476 then
+        transform_right_filter_feature_0_choice_477 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_477 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_477 then
+        transform_right_filter_feature_0_choice_478 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_478 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_478 then
+        transform_right_filter_feature_0_choice_479 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_479 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_479 then
+        transform_right_filter_feature_0_choice_480 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_480 := ((transform_right_filter_column_0_2 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_481 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_481 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_482 := transform_right_filter_feature_0_choice_481;
+      else
+        transform_right_filter_feature_0_choice_482 := ((transform_right_filter_column_0_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_482 then
+        transform_right_filter_feature_0_choice_483 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_483 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_483 then
+        transform_right_filter_feature_0_choice_484 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_484 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_484 then
+        transform_right_filter_feature_0_choice_485 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_485 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_485 then
+        transform_right_filter_feature_0_choice_486 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_486 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_486 then
+        transform_right_filter_feature_0_choice_487 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_487 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_487 then
+        transform_right_filter_feature_0_choice_488 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_488 := ((transform_right_filter_column_0_1 / 128) = 1) or (not
+          ((transform_right_filter_column_4_3 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_489 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1);
+      else
+        transform_right_filter_feature_0_choice_489 := (transform_right_filter_column_0_0 mod 4) = 0;
+      end if;
+      if transform_right_filter_feature_0_value then
+        transform_right_filter_feature_0_choice_490 := ((transform_right_filter_column_4_3 mod 2) = 1) or (not
+          (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) =
+          1));
+      else
+        transform_right_filter_feature_0_choice_490 := transform_right_filter_feature_0_choice_489;
+      end if;
       transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_491 := (not transform_right_filter_feature_0_value_2) and
-        transform_right_filter_feature_0_value_7 when transform_right_filter_feature_0_choice_490 else (not
-        transform_right_filter_feature_0_value_2) or transform_right_filter_feature_0_value_7;
+      if transform_right_filter_feature_0_choice_490 then
+        transform_right_filter_feature_0_choice_491 := (not transform_right_filter_feature_0_value_2) and
+          transform_right_filter_feature_0_value_7;
+      else
+        transform_right_filter_feature_0_choice_491 := (not transform_right_filter_feature_0_value_2) or
+          transform_right_filter_feature_0_value_7;
+      end if;
       transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_492 := (not transform_right_filter_feature_0_value_3) or
-        transform_right_filter_feature_0_value_8 when transform_right_filter_feature_0_choice_491 else (not
-        transform_right_filter_feature_0_value_3) and transform_right_filter_feature_0_value_8;
+      if transform_right_filter_feature_0_choice_491 then
+        transform_right_filter_feature_0_choice_492 := (not transform_right_filter_feature_0_value_3) or
+          transform_right_filter_feature_0_value_8;
+      else
+        transform_right_filter_feature_0_choice_492 := (not transform_right_filter_feature_0_value_3) and
+          transform_right_filter_feature_0_value_8;
+      end if;
       transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_493 := (not transform_right_filter_feature_0_value_4) or
-        transform_right_filter_feature_0_value_9 when transform_right_filter_feature_0_choice_492 else (not
-        transform_right_filter_feature_0_value_4) and transform_right_filter_feature_0_value_9;
+      if transform_right_filter_feature_0_choice_492 then
+        transform_right_filter_feature_0_choice_493 := (not transform_right_filter_feature_0_value_4) or
+          transform_right_filter_feature_0_value_9;
+      else
+        transform_right_filter_feature_0_choice_493 := (not transform_right_filter_feature_0_value_4) and
+          transform_right_filter_feature_0_value_9;
+      end if;
       transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_494 := (not transform_right_filter_feature_0_value_5) or
-        transform_right_filter_feature_0_value_10 when transform_right_filter_feature_0_choice_493 else (not
-        transform_right_filter_feature_0_value_5) and transform_right_filter_feature_0_value_10;
+      if transform_right_filter_feature_0_choice_493 then
+        transform_right_filter_feature_0_choice_494 := (not transform_right_filter_feature_0_value_5) or
+          transform_right_filter_feature_0_value_10;
+      else
+        transform_right_filter_feature_0_choice_494 := (not transform_right_filter_feature_0_value_5) and
+          transform_right_filter_feature_0_value_10;
+      end if;
       transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_495 := (not transform_right_filter_feature_0_value_6) or
-        transform_right_filter_feature_0_value_11 when transform_right_filter_feature_0_choice_494 else (not
-        transform_right_filter_feature_0_value_6) and transform_right_filter_feature_0_value_11;
-      transform_right_filter_feature_0_choice_496 := (not ((transform_right_filter_column_4_3 / 128) = 1)) or
-        ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_495 else (not
-        ((transform_right_filter_column_4_3 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
+      if transform_right_filter_feature_0_choice_494 then
+        transform_right_filter_feature_0_choice_495 := (not transform_right_filter_feature_0_value_6) or
+          transform_right_filter_feature_0_value_11;
+      else
+        transform_right_filter_feature_0_choice_495 := (not transform_right_filter_feature_0_value_6) and
+          transform_right_filter_feature_0_value_11;
+      end if;
+      if transform_right_filter_feature_0_choice_495 then
+        transform_right_filter_feature_0_choice_496 := (not ((transform_right_filter_column_4_3 / 128) = 1)) or
+          ((transform_right_filter_column_0_0 / 128) = 1);
+      else
+        transform_right_filter_feature_0_choice_496 := (not ((transform_right_filter_column_4_3 / 128) = 1)) and
+          ((transform_right_filter_column_0_0 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_497 := (as_number(transform_right_filter_feature_0_choice_448) * 32) +
           (as_number(transform_right_filter_feature_0_choice_456) * 64) +
@@ -5244,8 +9147,6 @@ begin
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice * 4 when in_valid and in_start_of_frame else
-        transform_counter_group_choice_4;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_words_1 <= to_integer(transform_left_rows_read_words_1);
@@ -5270,18 +9171,9 @@ begin
         or transform_read_column_inside_0_value_2 or transform_read_column_inside_0_value_3;
       transform_read_column_inside_1 <= transform_read_column_inside_1_differs or ((transform_counter_column mod 4) =
         0);
-      transform_read_column_inside_2 <= transform_read_column_inside_2_is_equal /= ((transform_counter_column / 32) =
-        1) when ((transform_counter_column / 2) mod 16) = 0 else transform_read_column_inside_1_differs;
       transform_read_column_inside_3 <= transform_read_column_inside_1_differs or (not ((transform_counter_column mod
         2) = 1)) or (not transform_read_column_inside_3_value);
       transform_read_column_inside_4 <= true;
-      transform_read_column_inside_5 <= transform_read_column_inside_5_choice_3 when
-        transform_read_column_inside_5_choice_2 else transform_read_column_inside_1_differs;
-      transform_read_column_inside_6 <= transform_read_column_inside_2_is_equal /=
-        transform_read_column_inside_0_value_2 when transform_read_column_inside_6_choice else
-        transform_read_column_inside_1_differs;
-      transform_read_column_inside_7 <= transform_read_column_inside_5_choice_3 when
-        transform_read_column_inside_7_choice else transform_read_column_inside_1_differs;
       transform_read_column_inside_8 <= ((transform_counter_column / 32) = 1) or transform_read_column_inside_0_value
         or transform_read_column_inside_0_value_2 or (not transform_read_column_inside_0_value_3);
       transform_read_start_of_frame <= (transform_counter_column = 4) and (transform_counter_group = 3);
@@ -5337,24 +9229,6 @@ begin
       transform_columns_column_inside_8 <= transform_ready_column_inside_8;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choice_56), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_48), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_40), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_32), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_24), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_16), 1) &
-        to_unsigned(as_number(transform_left_filter_feature_0_choice_8), 1) &
-        transform_left_filter_feature_0_choice_504(54 downto 0) when transform_filtering_0_column_inside_8 else
-        resize(transform_left_filter_feature_0_choice_504, 62);
-      transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choice_56), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_48), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_40), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_32), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_24), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_16), 1) &
-        to_unsigned(as_number(transform_right_filter_feature_0_choice_8), 1) &
-        transform_right_filter_feature_0_choice_504(54 downto 0) when transform_filtering_0_column_inside_8 else
-        resize(transform_right_filter_feature_0_choice_504, 62);
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
@@ -5368,15 +9242,75 @@ begin
       transform_filtering_0_valid <= transform_columns_valid;
       transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
       transform_filtering_1_valid <= transform_filtering_0_valid;
-      transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1)
-        when transform_counter_group_is_equal else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when
-        transform_counter_group_is_equal_2 else transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= transform_counter_group_choice * 4;
+      else
+        transform_counter_group <= transform_counter_group_choice_4;
+      end if;
+      if ((transform_counter_column / 2) mod 16) = 0 then
+        transform_read_column_inside_2 <= transform_read_column_inside_2_is_equal /= ((transform_counter_column / 32) =
+          1);
+      else
+        transform_read_column_inside_2 <= transform_read_column_inside_1_differs;
+      end if;
+      if transform_read_column_inside_5_choice_2 then
+        transform_read_column_inside_5 <= transform_read_column_inside_5_choice_3;
+      else
+        transform_read_column_inside_5 <= transform_read_column_inside_1_differs;
+      end if;
+      if transform_read_column_inside_6_choice then
+        transform_read_column_inside_6 <= transform_read_column_inside_2_is_equal /=
+          transform_read_column_inside_0_value_2;
+      else
+        transform_read_column_inside_6 <= transform_read_column_inside_1_differs;
+      end if;
+      if transform_read_column_inside_7_choice then
+        transform_read_column_inside_7 <= transform_read_column_inside_5_choice_3;
+      else
+        transform_read_column_inside_7 <= transform_read_column_inside_1_differs;
+      end if;
+      if transform_filtering_0_column_inside_8 then
+        transform_left_filter_feature_0 <= to_unsigned(as_number(transform_left_filter_feature_0_choice_56), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_48), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_40), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_32), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_24), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_16), 1) &
+          to_unsigned(as_number(transform_left_filter_feature_0_choice_8), 1) &
+          transform_left_filter_feature_0_choice_504(54 downto 0);
+        transform_right_filter_feature_0 <= to_unsigned(as_number(transform_right_filter_feature_0_choice_56), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_48), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_40), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_32), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_24), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_16), 1) &
+          to_unsigned(as_number(transform_right_filter_feature_0_choice_8), 1) &
+          transform_right_filter_feature_0_choice_504(54 downto 0);
+      else
+        transform_left_filter_feature_0 <= resize(transform_left_filter_feature_0_choice_504, 62);
+        transform_right_filter_feature_0 <= resize(transform_right_filter_feature_0_choice_504, 62);
+      end if;
+      if transform_counter_group_is_equal then
+        transform_counter_next_frame_choice := transform_counter_next_frame and ((transform_counter_group mod 2) = 1);
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
+      if transform_counter_group_is_equal_2 then
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
+      else
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
-          (transform_counter_column + 1) mod 64;
-        transform_counter_next_frame <= transform_counter_group_all when in_start_of_frame else
-          transform_counter_next_frame_choice_2;
+        if transform_counter_group_is_equal or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 64;
+        end if;
+        if in_start_of_frame then
+          transform_counter_next_frame <= transform_counter_group_all;
+        else
+          transform_counter_next_frame <= transform_counter_next_frame_choice_2;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned((transform_left_rows_ready_words_1 mod 256), 8) &
@@ -5390,13 +9324,6 @@ begin
         transform_write_column <= transform_ready_column;
       end if;
       if transform_columns_valid then
-        transform_left_filter_column_0_0 <= transform_left_column_0 when transform_columns_row_inside_0 else 0;
-        transform_left_filter_column_0_1 <= transform_left_column_1 when transform_columns_row_inside_1 else 0;
-        transform_left_filter_column_0_2 <= transform_left_column_2 when transform_columns_row_inside_2 else 0;
-        transform_left_filter_column_0_3 <= transform_left_column_3 when transform_columns_row_inside_3 else 0;
-        transform_left_filter_column_0_4 <= transform_left_column_4 when transform_columns_row_inside_4 else 0;
-        transform_left_filter_column_0_5 <= transform_left_column_5 when transform_columns_row_inside_5 else 0;
-        transform_left_filter_column_0_6 <= transform_left_column_6 when transform_columns_row_inside_6 else 0;
         transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
         transform_left_filter_column_1_1 <= transform_left_filter_column_0_1;
         transform_left_filter_column_1_2 <= transform_left_filter_column_0_2;
@@ -5453,13 +9380,6 @@ begin
         transform_left_filter_column_8_4 <= transform_left_filter_column_7_4;
         transform_left_filter_column_8_5 <= transform_left_filter_column_7_5;
         transform_left_filter_column_8_6 <= transform_left_filter_column_7_6;
-        transform_right_filter_column_0_0 <= transform_right_column_0 when transform_columns_row_inside_0 else 0;
-        transform_right_filter_column_0_1 <= transform_right_column_1 when transform_columns_row_inside_1 else 0;
-        transform_right_filter_column_0_2 <= transform_right_column_2 when transform_columns_row_inside_2 else 0;
-        transform_right_filter_column_0_3 <= transform_right_column_3 when transform_columns_row_inside_3 else 0;
-        transform_right_filter_column_0_4 <= transform_right_column_4 when transform_columns_row_inside_4 else 0;
-        transform_right_filter_column_0_5 <= transform_right_column_5 when transform_columns_row_inside_5 else 0;
-        transform_right_filter_column_0_6 <= transform_right_column_6 when transform_columns_row_inside_6 else 0;
         transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
         transform_right_filter_column_1_1 <= transform_right_filter_column_0_1;
         transform_right_filter_column_1_2 <= transform_right_filter_column_0_2;
@@ -5516,44 +9436,128 @@ begin
         transform_right_filter_column_8_4 <= transform_right_filter_column_7_4;
         transform_right_filter_column_8_5 <= transform_right_filter_column_7_5;
         transform_right_filter_column_8_6 <= transform_right_filter_column_7_6;
+        if transform_columns_row_inside_0 then
+          transform_left_filter_column_0_0 <= transform_left_column_0;
+          transform_right_filter_column_0_0 <= transform_right_column_0;
+        else
+          transform_left_filter_column_0_0 <= 0;
+          transform_right_filter_column_0_0 <= 0;
+        end if;
+        if transform_columns_row_inside_1 then
+          transform_left_filter_column_0_1 <= transform_left_column_1;
+          transform_right_filter_column_0_1 <= transform_right_column_1;
+        else
+          transform_left_filter_column_0_1 <= 0;
+          transform_right_filter_column_0_1 <= 0;
+        end if;
+        if transform_columns_row_inside_2 then
+          transform_left_filter_column_0_2 <= transform_left_column_2;
+          transform_right_filter_column_0_2 <= transform_right_column_2;
+        else
+          transform_left_filter_column_0_2 <= 0;
+          transform_right_filter_column_0_2 <= 0;
+        end if;
+        if transform_columns_row_inside_3 then
+          transform_left_filter_column_0_3 <= transform_left_column_3;
+          transform_right_filter_column_0_3 <= transform_right_column_3;
+        else
+          transform_left_filter_column_0_3 <= 0;
+          transform_right_filter_column_0_3 <= 0;
+        end if;
+        if transform_columns_row_inside_4 then
+          transform_left_filter_column_0_4 <= transform_left_column_4;
+          transform_right_filter_column_0_4 <= transform_right_column_4;
+        else
+          transform_left_filter_column_0_4 <= 0;
+          transform_right_filter_column_0_4 <= 0;
+        end if;
+        if transform_columns_row_inside_5 then
+          transform_left_filter_column_0_5 <= transform_left_column_5;
+          transform_right_filter_column_0_5 <= transform_right_column_5;
+        else
+          transform_left_filter_column_0_5 <= 0;
+          transform_right_filter_column_0_5 <= 0;
+        end if;
+        if transform_columns_row_inside_6 then
+          transform_left_filter_column_0_6 <= transform_left_column_6;
+          transform_right_filter_column_0_6 <= transform_right_column_6;
+        else
+          transform_left_filter_column_0_6 <= 0;
+          transform_right_filter_column_0_6 <= 0;
+        end if;
       end if;
       -- raster
       raster_place_group_is_equal := raster_place_group = 11;
       raster_place_group_is_equal_2 := raster_place_column = 39;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
-      raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtering_1_valid and (not
-        ((raster_place_group mod 2) = 1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and
-        transform_filtering_1_valid;
-      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
-        (raster_place_group + 1) mod 16;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
-        raster_place_group;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
-        raster_place_next_frame;
-      raster_place_next_frame_choice_3 := transform_filtering_1_valid when raster_place_group_all else
-        transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
-      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
-        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_1_valid and
-        transform_filtering_1_start_of_frame;
+      if raster_place_group_is_equal_3 then
+        raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtering_1_valid and (not
+          ((raster_place_group mod 2) = 1));
+      else
+        raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtering_1_valid;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 12) then
+        raster_place_group_choice_3 := 1;
+      else
+        raster_place_group_choice_3 := (raster_place_group + 1) mod 16;
+      end if;
+      if raster_place_group_choice_2 then
+        raster_place_group_choice_4 := raster_place_group_choice_3;
+      else
+        raster_place_group_choice_4 := raster_place_group;
+      end if;
+      if raster_place_group_is_equal_2 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
+      if raster_place_group_all then
+        raster_place_next_frame_choice_3 := transform_filtering_1_valid;
+      else
+        raster_place_next_frame_choice_3 := transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
+      end if;
+      if raster_place_next_frame_choice_2 then
+        raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3;
+      else
+        raster_place_next_frame_choice_4 := raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          transform_filtering_1_valid and transform_filtering_1_start_of_frame;
+      end if;
       raster_features_search_0 <= transform_left_filter_feature_0;
       raster_features_reference_0 <= transform_right_filter_feature_0;
       raster_features_valid <= transform_filtering_1_valid;
-      raster_place_group <= raster_place_group_choice * 4 when transform_filtering_1_valid and
-        transform_filtering_1_start_of_frame else raster_place_group_choice_4;
       raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_1_valid) and
         raster_place_next_frame);
+      if transform_filtering_1_valid and transform_filtering_1_start_of_frame then
+        raster_place_group <= raster_place_group_choice * 4;
+      else
+        raster_place_group <= raster_place_group_choice_4;
+      end if;
       if transform_filtering_1_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal_2 or transform_filtering_1_start_of_frame else
-          (raster_place_column + 1) mod 64;
+        if raster_place_group_is_equal_2 or transform_filtering_1_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 64;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 11 else (delay_ring_read_address + 1) mod 16;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 11 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 16;
+        end if;
       end if;
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
       delay_row_inside_1_is_less := raster_place_group < 13;
@@ -5605,12 +9609,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 when rows_ready_inside_0 else to_unsigned(0, 62);
-      rows_search_1 <= rows_search_rows_ready_words_1 when rows_ready_inside_1 else to_unsigned(0, 62);
-      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_inside_2 else to_unsigned(0, 62);
-      rows_reference_0 <= rows_reference_rows_ready_words_0 when rows_ready_inside_0 else to_unsigned(0, 62);
-      rows_reference_1 <= rows_reference_rows_ready_words_1 when rows_ready_inside_1 else to_unsigned(0, 62);
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else to_unsigned(0, 62);
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_first_cost <= rows_ready_tag_first_cost;
@@ -5618,6 +9616,27 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0;
+        rows_reference_0 <= rows_reference_rows_ready_words_0;
+      else
+        rows_search_0 <= to_unsigned(0, 62);
+        rows_reference_0 <= to_unsigned(0, 62);
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_1;
+        rows_reference_1 <= rows_reference_rows_ready_words_1;
+      else
+        rows_search_1 <= to_unsigned(0, 62);
+        rows_reference_1 <= to_unsigned(0, 62);
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_newest_0;
+        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_2 <= to_unsigned(0, 62);
+        rows_reference_2 <= to_unsigned(0, 62);
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= rows_search_rows_ready_words_1;
         rows_search_rows_write_words_1 <= rows_search_rows_ready_newest_0;
@@ -7347,16 +11366,6 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        slice0cost_single_0_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
-        slice0cost_single_0_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
-        slice0cost_single_0_4;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
@@ -7364,6 +11373,19 @@ begin
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_column_0_3 <= slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_column_0_4 <= slice0cost_pair_0_4 + slice0cost_single_0_4;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -9121,12 +13143,20 @@ begin
       slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
       slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
       slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_3 + slice1cost_single_0_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_4 + slice1cost_single_0_4;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_column_0_3 <= slice1cost_pair_0_3 + slice1cost_single_0_3;
+        slice1cost_column_0_4 <= slice1cost_pair_0_4 + slice1cost_single_0_4;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -9977,8 +14007,13 @@ begin
       slice2cost_pair_0_1 <= slice2cost_pixels_cost_1_1 + slice2cost_pixels_cost_2_1;
       slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
       slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+      else
+        slice2cost_column_0_0 <= slice2cost_pair_0_0 + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= slice2cost_pair_0_1 + slice2cost_single_0_1;
+      end if;
       -- slice2window
       if slice0_tag_0_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -9996,8 +14031,11 @@ begin
       entry_order_falls_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_complete_all := slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_complete_any := (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
-      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
-        else entry_order_held_output;
+      if entry_order_falls_all then
+        entry_order_turned_output_column_choice := entry_order_output and entry_order_complete;
+      else
+        entry_order_turned_output_column_choice := entry_order_held_output;
+      end if;
       entry_next_cost_0 <= slice2_held_0_0;
       entry_next_cost_1 <= slice2_held_0_1;
       entry_next_cost_2 <= slice1_held_1_0;
@@ -10014,9 +14052,6 @@ begin
       entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_first_column <= slice0_tag_2_first_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
-      entry_order_complete <= entry_order_complete or entry_order_complete_all when slice0_tag_2_end_of_line else
-        entry_order_complete and entry_order_complete_any;
       entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
       entry_order_turned_first_column <= entry_order_falls_all;
       entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
@@ -10043,15 +14078,41 @@ begin
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if entry_order_complete_all then
-        entry_next_column <= 0 when slice0_tag_2_first_column else (entry_next_column + 1) mod 32;
-        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_next_top;
+      if entry_order_falls then
+        entry_order_falls <= entry_order_falls_any;
+      else
+        entry_order_falls <= entry_order_falls_all;
       end if;
-      entry_order_address_choice := 31 when entry_order_falls else 1;
-      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if slice0_tag_2_end_of_line then
+        entry_order_complete <= entry_order_complete or entry_order_complete_all;
+      else
+        entry_order_complete <= entry_order_complete and entry_order_complete_any;
+      end if;
+      if entry_order_complete_all then
+        if slice0_tag_2_first_column then
+          entry_next_column <= 0;
+          entry_next_top <= slice0_tag_2_start_of_frame;
+        else
+          entry_next_column <= (entry_next_column + 1) mod 32;
+          entry_next_top <= entry_next_top;
+        end if;
+      end if;
+      if entry_order_falls then
+        entry_order_address_choice := 31;
+      else
+        entry_order_address_choice := 1;
+      end if;
+      if entry_order_falls then
+        entry_order_address_choice_2 := 0;
+      else
+        entry_order_address_choice_2 := 7;
+      end if;
       if not entry_order_complete_any then
-        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
-          else entry_order_address_choice_2 * 4;
+        if entry_order_falls_any then
+          entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32;
+        else
+          entry_order_address <= entry_order_address_choice_2 * 4;
+        end if;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
@@ -10062,18 +14123,36 @@ begin
         entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
       -- forward
-      forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
-        forward_left_cost_0;
-      forward_left_pair_1_choice := forward_left_cost_3 when (forward_left_cost_3 - forward_left_cost_1) < 0 else
-        forward_left_cost_1;
-      forward_left_pair_2_choice := forward_left_cost_6 when (forward_left_cost_6 - forward_left_cost_4) < 0 else
-        forward_left_cost_4;
-      forward_left_pair_3_choice := forward_left_cost_7 when (forward_left_cost_7 - forward_left_cost_5) < 0 else
-        forward_left_cost_5;
-      forward_left_pair_4_choice := forward_left_cost_10 when (forward_left_cost_10 - forward_left_cost_8) < 0 else
-        forward_left_cost_8;
-      forward_left_pair_5_choice := forward_left_cost_11 when (forward_left_cost_11 - forward_left_cost_9) < 0 else
-        forward_left_cost_9;
+      if (forward_left_cost_2 - forward_left_cost_0) < 0 then
+        forward_left_pair_0_choice := forward_left_cost_2;
+      else
+        forward_left_pair_0_choice := forward_left_cost_0;
+      end if;
+      if (forward_left_cost_3 - forward_left_cost_1) < 0 then
+        forward_left_pair_1_choice := forward_left_cost_3;
+      else
+        forward_left_pair_1_choice := forward_left_cost_1;
+      end if;
+      if (forward_left_cost_6 - forward_left_cost_4) < 0 then
+        forward_left_pair_2_choice := forward_left_cost_6;
+      else
+        forward_left_pair_2_choice := forward_left_cost_4;
+      end if;
+      if (forward_left_cost_7 - forward_left_cost_5) < 0 then
+        forward_left_pair_3_choice := forward_left_cost_7;
+      else
+        forward_left_pair_3_choice := forward_left_cost_5;
+      end if;
+      if (forward_left_cost_10 - forward_left_cost_8) < 0 then
+        forward_left_pair_4_choice := forward_left_cost_10;
+      else
+        forward_left_pair_4_choice := forward_left_cost_8;
+      end if;
+      if (forward_left_cost_11 - forward_left_cost_9) < 0 then
+        forward_left_pair_5_choice := forward_left_cost_11;
+      else
+        forward_left_pair_5_choice := forward_left_cost_9;
+      end if;
       forward_left_start_cost_0_value := (((forward_left_tree_next_next_smallest_0 mod 64) + forward_left_room) / 64) =
         1;
       if forward_left_start_cost_0_value then
@@ -10092,122 +14171,273 @@ begin
       else
         forward_left_room_choice := forward_left_room;
       end if;
-      forward_left_room_choice_2 := 0 when (forward_left_tree_next_next_smallest_0 / 64) = 1 else
-        forward_left_room_choice;
-      forward_left_cost_0_choice := forward_left_arrived_0 when (forward_left_arrived_0 - forward_left_cost_0) < 0 else
-        forward_left_cost_0;
-      forward_left_cost_0_choice_2 := 64 when ((forward_left_cost_0_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_0_choice;
-      forward_left_cost_1_choice := forward_left_arrived_1 when (forward_left_arrived_1 - forward_left_cost_1) < 0 else
-        forward_left_cost_1;
-      forward_left_cost_1_choice_2 := 64 when ((forward_left_cost_1_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_1_choice;
-      forward_left_cost_2_choice := forward_left_arrived_2 when (forward_left_arrived_2 - forward_left_cost_2) < 0 else
-        forward_left_cost_2;
-      forward_left_cost_2_choice_2 := 64 when ((forward_left_cost_2_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_2_choice;
-      forward_left_cost_3_choice := forward_left_arrived_3 when (forward_left_arrived_3 - forward_left_cost_3) < 0 else
-        forward_left_cost_3;
-      forward_left_cost_3_choice_2 := 64 when ((forward_left_cost_3_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_3_choice;
-      forward_left_cost_4_choice := forward_left_arrived_4 when (forward_left_arrived_4 - forward_left_cost_4) < 0 else
-        forward_left_cost_4;
-      forward_left_cost_4_choice_2 := 64 when ((forward_left_cost_4_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_4_choice;
-      forward_left_cost_5_choice := forward_left_arrived_5 when (forward_left_arrived_5 - forward_left_cost_5) < 0 else
-        forward_left_cost_5;
-      forward_left_cost_5_choice_2 := 64 when ((forward_left_cost_5_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_5_choice;
-      forward_left_cost_6_choice := forward_left_arrived_6 when (forward_left_arrived_6 - forward_left_cost_6) < 0 else
-        forward_left_cost_6;
-      forward_left_cost_6_choice_2 := 64 when ((forward_left_cost_6_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_6_choice;
-      forward_left_cost_7_choice := forward_left_arrived_7 when (forward_left_arrived_7 - forward_left_cost_7) < 0 else
-        forward_left_cost_7;
-      forward_left_cost_7_choice_2 := 64 when ((forward_left_cost_7_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_7_choice;
-      forward_left_cost_8_choice := forward_left_arrived_8 when (forward_left_arrived_8 - forward_left_cost_8) < 0 else
-        forward_left_cost_8;
-      forward_left_cost_8_choice_2 := 64 when ((forward_left_cost_8_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_8_choice;
-      forward_left_cost_9_choice := forward_left_arrived_9 when (forward_left_arrived_9 - forward_left_cost_9) < 0 else
-        forward_left_cost_9;
-      forward_left_cost_9_choice_2 := 64 when ((forward_left_cost_9_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_9_choice;
-      forward_left_cost_10_choice := forward_left_arrived_10 when (forward_left_arrived_10 - forward_left_cost_10) < 0
-        else forward_left_cost_10;
-      forward_left_cost_10_choice_2 := 64 when ((forward_left_cost_10_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_10_choice;
-      forward_left_cost_11_choice := forward_left_arrived_11 when (forward_left_arrived_11 - forward_left_cost_11) < 0
-        else forward_left_cost_11;
-      forward_left_cost_11_choice_2 := 64 when ((forward_left_cost_11_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_11_choice;
-      forward_left_arrived_0_choice := 64 when forward_left_first_2 else forward_left_cost_1;
-      forward_left_arrived_1_choice := 64 when forward_left_first_2 else forward_left_pair_0_choice;
-      forward_left_arrived_2_choice := 64 when forward_left_first_2 else forward_left_pair_1_choice;
-      forward_left_arrived_3_choice := forward_left_cost_4 when (forward_left_cost_4 - forward_left_cost_2) < 0 else
-        forward_left_cost_2;
-      forward_left_arrived_3_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_3_choice;
-      forward_left_arrived_4_choice := forward_left_cost_5 when (forward_left_cost_5 - forward_left_cost_3) < 0 else
-        forward_left_cost_3;
-      forward_left_arrived_4_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_4_choice;
-      forward_left_arrived_5_choice := 64 when forward_left_first_2 else forward_left_pair_2_choice;
-      forward_left_arrived_6_choice := 64 when forward_left_first_2 else forward_left_pair_3_choice;
-      forward_left_arrived_7_choice := forward_left_cost_8 when (forward_left_cost_8 - forward_left_cost_6) < 0 else
-        forward_left_cost_6;
-      forward_left_arrived_7_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_7_choice;
-      forward_left_arrived_8_choice := forward_left_cost_9 when (forward_left_cost_9 - forward_left_cost_7) < 0 else
-        forward_left_cost_7;
-      forward_left_arrived_8_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_8_choice;
-      forward_left_arrived_9_choice := 64 when forward_left_first_2 else forward_left_pair_4_choice;
-      forward_left_arrived_10_choice := 64 when forward_left_first_2 else forward_left_pair_5_choice;
-      forward_left_arrived_11_choice := 64 when forward_left_first_2 else forward_left_cost_10;
-      forward_above_total_0_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(4
-        downto 0));
-      forward_above_total_1_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(9
-        downto 5));
-      forward_above_total_2_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(14
-        downto 10));
-      forward_above_total_3_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(19
-        downto 15));
-      forward_above_total_4_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(24
-        downto 20));
-      forward_above_total_5_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(29
-        downto 25));
-      forward_above_total_6_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(4
-        downto 0));
-      forward_above_total_7_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(9
-        downto 5));
-      forward_above_total_8_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(14
-        downto 10));
-      forward_above_total_9_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(19
-        downto 15));
-      forward_above_total_10_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(24
-        downto 20));
-      forward_above_total_11_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(29
-        downto 25));
+      if (forward_left_tree_next_next_smallest_0 / 64) = 1 then
+        forward_left_room_choice_2 := 0;
+      else
+        forward_left_room_choice_2 := forward_left_room_choice;
+      end if;
+      if (forward_left_arrived_0 - forward_left_cost_0) < 0 then
+        forward_left_cost_0_choice := forward_left_arrived_0;
+      else
+        forward_left_cost_0_choice := forward_left_cost_0;
+      end if;
+      if ((forward_left_cost_0_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_0_choice_2 := 64;
+      else
+        forward_left_cost_0_choice_2 := forward_left_cost_0_choice;
+      end if;
+      if (forward_left_arrived_1 - forward_left_cost_1) < 0 then
+        forward_left_cost_1_choice := forward_left_arrived_1;
+      else
+        forward_left_cost_1_choice := forward_left_cost_1;
+      end if;
+      if ((forward_left_cost_1_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_1_choice_2 := 64;
+      else
+        forward_left_cost_1_choice_2 := forward_left_cost_1_choice;
+      end if;
+      if (forward_left_arrived_2 - forward_left_cost_2) < 0 then
+        forward_left_cost_2_choice := forward_left_arrived_2;
+      else
+        forward_left_cost_2_choice := forward_left_cost_2;
+      end if;
+      if ((forward_left_cost_2_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_2_choice_2 := 64;
+      else
+        forward_left_cost_2_choice_2 := forward_left_cost_2_choice;
+      end if;
+      if (forward_left_arrived_3 - forward_left_cost_3) < 0 then
+        forward_left_cost_3_choice := forward_left_arrived_3;
+      else
+        forward_left_cost_3_choice := forward_left_cost_3;
+      end if;
+      if ((forward_left_cost_3_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_3_choice_2 := 64;
+      else
+        forward_left_cost_3_choice_2 := forward_left_cost_3_choice;
+      end if;
+      if (forward_left_arrived_4 - forward_left_cost_4) < 0 then
+        forward_left_cost_4_choice := forward_left_arrived_4;
+      else
+        forward_left_cost_4_choice := forward_left_cost_4;
+      end if;
+      if ((forward_left_cost_4_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_4_choice_2 := 64;
+      else
+        forward_left_cost_4_choice_2 := forward_left_cost_4_choice;
+      end if;
+      if (forward_left_arrived_5 - forward_left_cost_5) < 0 then
+        forward_left_cost_5_choice := forward_left_arrived_5;
+      else
+        forward_left_cost_5_choice := forward_left_cost_5;
+      end if;
+      if ((forward_left_cost_5_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_5_choice_2 := 64;
+      else
+        forward_left_cost_5_choice_2 := forward_left_cost_5_choice;
+      end if;
+      if (forward_left_arrived_6 - forward_left_cost_6) < 0 then
+        forward_left_cost_6_choice := forward_left_arrived_6;
+      else
+        forward_left_cost_6_choice := forward_left_cost_6;
+      end if;
+      if ((forward_left_cost_6_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_6_choice_2 := 64;
+      else
+        forward_left_cost_6_choice_2 := forward_left_cost_6_choice;
+      end if;
+      if (forward_left_arrived_7 - forward_left_cost_7) < 0 then
+        forward_left_cost_7_choice := forward_left_arrived_7;
+      else
+        forward_left_cost_7_choice := forward_left_cost_7;
+      end if;
+      if ((forward_left_cost_7_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_7_choice_2 := 64;
+      else
+        forward_left_cost_7_choice_2 := forward_left_cost_7_choice;
+      end if;
+      if (forward_left_arrived_8 - forward_left_cost_8) < 0 then
+        forward_left_cost_8_choice := forward_left_arrived_8;
+      else
+        forward_left_cost_8_choice := forward_left_cost_8;
+      end if;
+      if ((forward_left_cost_8_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_8_choice_2 := 64;
+      else
+        forward_left_cost_8_choice_2 := forward_left_cost_8_choice;
+      end if;
+      if (forward_left_arrived_9 - forward_left_cost_9) < 0 then
+        forward_left_cost_9_choice := forward_left_arrived_9;
+      else
+        forward_left_cost_9_choice := forward_left_cost_9;
+      end if;
+      if ((forward_left_cost_9_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_9_choice_2 := 64;
+      else
+        forward_left_cost_9_choice_2 := forward_left_cost_9_choice;
+      end if;
+      if (forward_left_arrived_10 - forward_left_cost_10) < 0 then
+        forward_left_cost_10_choice := forward_left_arrived_10;
+      else
+        forward_left_cost_10_choice := forward_left_cost_10;
+      end if;
+      if ((forward_left_cost_10_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_10_choice_2 := 64;
+      else
+        forward_left_cost_10_choice_2 := forward_left_cost_10_choice;
+      end if;
+      if (forward_left_arrived_11 - forward_left_cost_11) < 0 then
+        forward_left_cost_11_choice := forward_left_arrived_11;
+      else
+        forward_left_cost_11_choice := forward_left_cost_11;
+      end if;
+      if ((forward_left_cost_11_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_11_choice_2 := 64;
+      else
+        forward_left_cost_11_choice_2 := forward_left_cost_11_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_0_choice := 64;
+      else
+        forward_left_arrived_0_choice := forward_left_cost_1;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_1_choice := 64;
+      else
+        forward_left_arrived_1_choice := forward_left_pair_0_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_2_choice := 64;
+      else
+        forward_left_arrived_2_choice := forward_left_pair_1_choice;
+      end if;
+      if (forward_left_cost_4 - forward_left_cost_2) < 0 then
+        forward_left_arrived_3_choice := forward_left_cost_4;
+      else
+        forward_left_arrived_3_choice := forward_left_cost_2;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_3_choice_2 := 64;
+      else
+        forward_left_arrived_3_choice_2 := forward_left_arrived_3_choice;
+      end if;
+      if (forward_left_cost_5 - forward_left_cost_3) < 0 then
+        forward_left_arrived_4_choice := forward_left_cost_5;
+      else
+        forward_left_arrived_4_choice := forward_left_cost_3;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_4_choice_2 := 64;
+      else
+        forward_left_arrived_4_choice_2 := forward_left_arrived_4_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_5_choice := 64;
+      else
+        forward_left_arrived_5_choice := forward_left_pair_2_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_6_choice := 64;
+      else
+        forward_left_arrived_6_choice := forward_left_pair_3_choice;
+      end if;
+      if (forward_left_cost_8 - forward_left_cost_6) < 0 then
+        forward_left_arrived_7_choice := forward_left_cost_8;
+      else
+        forward_left_arrived_7_choice := forward_left_cost_6;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_7_choice_2 := 64;
+      else
+        forward_left_arrived_7_choice_2 := forward_left_arrived_7_choice;
+      end if;
+      if (forward_left_cost_9 - forward_left_cost_7) < 0 then
+        forward_left_arrived_8_choice := forward_left_cost_9;
+      else
+        forward_left_arrived_8_choice := forward_left_cost_7;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_8_choice_2 := 64;
+      else
+        forward_left_arrived_8_choice_2 := forward_left_arrived_8_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_9_choice := 64;
+      else
+        forward_left_arrived_9_choice := forward_left_pair_4_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_10_choice := 64;
+      else
+        forward_left_arrived_10_choice := forward_left_pair_5_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_11_choice := 64;
+      else
+        forward_left_arrived_11_choice := forward_left_cost_10;
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_0_choice := 22;
+      else
+        forward_above_total_0_choice := to_integer(forward_above_ready_words_0(4 downto 0));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_1_choice := 22;
+      else
+        forward_above_total_1_choice := to_integer(forward_above_ready_words_0(9 downto 5));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_2_choice := 22;
+      else
+        forward_above_total_2_choice := to_integer(forward_above_ready_words_0(14 downto 10));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_3_choice := 22;
+      else
+        forward_above_total_3_choice := to_integer(forward_above_ready_words_0(19 downto 15));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_4_choice := 22;
+      else
+        forward_above_total_4_choice := to_integer(forward_above_ready_words_0(24 downto 20));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_5_choice := 22;
+      else
+        forward_above_total_5_choice := to_integer(forward_above_ready_words_0(29 downto 25));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_6_choice := 22;
+      else
+        forward_above_total_6_choice := to_integer(forward_above_ready_words_1(4 downto 0));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_7_choice := 22;
+      else
+        forward_above_total_7_choice := to_integer(forward_above_ready_words_1(9 downto 5));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_8_choice := 22;
+      else
+        forward_above_total_8_choice := to_integer(forward_above_ready_words_1(14 downto 10));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_9_choice := 22;
+      else
+        forward_above_total_9_choice := to_integer(forward_above_ready_words_1(19 downto 15));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_10_choice := 22;
+      else
+        forward_above_total_10_choice := to_integer(forward_above_ready_words_1(24 downto 20));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_11_choice := 22;
+      else
+        forward_above_total_11_choice := to_integer(forward_above_ready_words_1(29 downto 25));
+      end if;
       if entry_tag_valid then
-        forward_smallest_smallest_0 <= entry_cost_1 when (entry_cost_1 - entry_cost_0) < 0 else entry_cost_0;
-        forward_smallest_smallest_1 <= entry_cost_3 when (entry_cost_3 - entry_cost_2) < 0 else entry_cost_2;
-        forward_smallest_smallest_2 <= entry_cost_5 when (entry_cost_5 - entry_cost_4) < 0 else entry_cost_4;
-        forward_smallest_smallest_3 <= entry_cost_7 when (entry_cost_7 - entry_cost_6) < 0 else entry_cost_6;
-        forward_smallest_smallest_4 <= entry_cost_9 when (entry_cost_9 - entry_cost_8) < 0 else entry_cost_8;
-        forward_smallest_smallest_5 <= entry_cost_11 when (entry_cost_11 - entry_cost_10) < 0 else entry_cost_10;
-        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when (forward_smallest_smallest_1 -
-          forward_smallest_smallest_0) < 0 else forward_smallest_smallest_0;
-        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when (forward_smallest_smallest_3 -
-          forward_smallest_smallest_2) < 0 else forward_smallest_smallest_2;
-        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when (forward_smallest_smallest_5 -
-          forward_smallest_smallest_4) < 0 else forward_smallest_smallest_4;
-        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when
-          (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 else
-          forward_smallest_next_smallest_0;
         forward_smallest_next_next_smallest_1 <= forward_smallest_next_smallest_2;
-        forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1 when
-          (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 else
-          forward_smallest_next_next_smallest_0;
-        forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 4 else
-          (forward_cost_delay_ring_read_address + 1) mod 8;
         forward_cost_delay_ring_write_address <= forward_cost_delay_ring_read_address;
         forward_left_pair_0 <= forward_left_pair_0_choice;
         forward_left_pair_1 <= forward_left_pair_1_choice;
@@ -10215,27 +14445,7 @@ begin
         forward_left_pair_3 <= forward_left_pair_3_choice;
         forward_left_pair_4 <= forward_left_pair_4_choice;
         forward_left_pair_5 <= forward_left_pair_5_choice;
-        forward_left_tree_smallest_0 <= forward_left_pair_1 when (forward_left_pair_1 - forward_left_pair_0) < 0 else
-          forward_left_pair_0;
-        forward_left_tree_smallest_1 <= forward_left_pair_3 when (forward_left_pair_3 - forward_left_pair_2) < 0 else
-          forward_left_pair_2;
-        forward_left_tree_smallest_2 <= forward_left_pair_5 when (forward_left_pair_5 - forward_left_pair_4) < 0 else
-          forward_left_pair_4;
-        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when (forward_left_tree_smallest_1 -
-          forward_left_tree_smallest_0) < 0 else forward_left_tree_smallest_0;
         forward_left_tree_next_smallest_1 <= forward_left_tree_smallest_2;
-        forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1 when
-          (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 else
-          forward_left_tree_next_smallest_0;
-        forward_left_start_cost_0 <= 22 when sums_right_first_2 else forward_left_start_cost_0_choice_2;
-        forward_left_start_cost_1 <= 0 when sums_right_first_2 else forward_left_start_cost_0;
-        forward_left_start_cost_2 <= 0 when sums_right_first_2 else forward_left_start_cost_1;
-        forward_left_start_cost_3 <= 0 when sums_right_first_2 else forward_left_start_cost_2;
-        forward_left_start_cost_4 <= 0 when sums_right_first_2 else forward_left_start_cost_3;
-        forward_left_start_cost_5 <= 0 when sums_right_first_2 else forward_left_start_cost_4;
-        forward_left_start_cost_6 <= 0 when sums_right_first_2 else forward_left_start_cost_5;
-        forward_left_room <= 0 when sums_right_first_2 else (forward_left_room_choice_2 + forward_left_start_cost_6)
-          mod 32;
         forward_left_smallest <= forward_smallest_next_next_next_smallest_0;
         forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 + 123) mod 128;
         forward_left_first_0 <= sums_right_first_2;
@@ -10318,33 +14528,7 @@ begin
         forward_above_total_9 <= forward_above_total_9_choice + forward_above_ready_cost_9;
         forward_above_total_10 <= forward_above_total_10_choice + forward_above_ready_cost_10;
         forward_above_total_11 <= forward_above_total_11_choice + forward_above_ready_cost_11;
-        forward_above_tree_smallest_0 <= forward_above_total_1 when (forward_above_total_1 - forward_above_total_0) < 0
-          else forward_above_total_0;
-        forward_above_tree_smallest_1 <= forward_above_total_3 when (forward_above_total_3 - forward_above_total_2) < 0
-          else forward_above_total_2;
-        forward_above_tree_smallest_2 <= forward_above_total_5 when (forward_above_total_5 - forward_above_total_4) < 0
-          else forward_above_total_4;
-        forward_above_tree_smallest_3 <= forward_above_total_7 when (forward_above_total_7 - forward_above_total_6) < 0
-          else forward_above_total_6;
-        forward_above_tree_smallest_4 <= forward_above_total_9 when (forward_above_total_9 - forward_above_total_8) < 0
-          else forward_above_total_8;
-        forward_above_tree_smallest_5 <= forward_above_total_11 when (forward_above_total_11 - forward_above_total_10)
-          < 0 else forward_above_total_10;
-        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when (forward_above_tree_smallest_1 -
-          forward_above_tree_smallest_0) < 0 else forward_above_tree_smallest_0;
-        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when (forward_above_tree_smallest_3 -
-          forward_above_tree_smallest_2) < 0 else forward_above_tree_smallest_2;
-        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when (forward_above_tree_smallest_5 -
-          forward_above_tree_smallest_4) < 0 else forward_above_tree_smallest_4;
-        forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1 when
-          (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 else
-          forward_above_tree_next_smallest_0;
         forward_above_tree_next_next_smallest_1 <= forward_above_tree_next_smallest_2;
-        forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1 when
-          (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 else
-          forward_above_tree_next_next_smallest_0;
-        forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
-          (forward_above_delay_ring_read_address + 1) mod 8;
         forward_above_delay_ring_write_address <= forward_above_delay_ring_read_address;
         forward_above_smallest_copy_0 <= forward_above_tree_next_next_next_smallest_0;
         forward_above_cost_0 <= (to_integer(forward_above_delay_held_0) - forward_above_smallest_copy_0) mod 64;
@@ -10369,26 +14553,6 @@ begin
         forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(11 downto 6)) - forward_above_smallest_copy_0)
           mod 64;
         forward_above_beside_0 <= forward_above_cost_1;
-        forward_above_beside_1 <= forward_above_cost_2 when (forward_above_cost_2 - forward_above_cost_0) < 0 else
-          forward_above_cost_0;
-        forward_above_beside_2 <= forward_above_cost_3 when (forward_above_cost_3 - forward_above_cost_1) < 0 else
-          forward_above_cost_1;
-        forward_above_beside_3 <= forward_above_cost_4 when (forward_above_cost_4 - forward_above_cost_2) < 0 else
-          forward_above_cost_2;
-        forward_above_beside_4 <= forward_above_cost_5 when (forward_above_cost_5 - forward_above_cost_3) < 0 else
-          forward_above_cost_3;
-        forward_above_beside_5 <= forward_above_cost_6 when (forward_above_cost_6 - forward_above_cost_4) < 0 else
-          forward_above_cost_4;
-        forward_above_beside_6 <= forward_above_cost_7 when (forward_above_cost_7 - forward_above_cost_5) < 0 else
-          forward_above_cost_5;
-        forward_above_beside_7 <= forward_above_cost_8 when (forward_above_cost_8 - forward_above_cost_6) < 0 else
-          forward_above_cost_6;
-        forward_above_beside_8 <= forward_above_cost_9 when (forward_above_cost_9 - forward_above_cost_7) < 0 else
-          forward_above_cost_7;
-        forward_above_beside_9 <= forward_above_cost_10 when (forward_above_cost_10 - forward_above_cost_8) < 0 else
-          forward_above_cost_8;
-        forward_above_beside_10 <= forward_above_cost_11 when (forward_above_cost_11 - forward_above_cost_9) < 0 else
-          forward_above_cost_9;
         forward_above_beside_11 <= forward_above_cost_10;
         forward_above_own_0 <= forward_above_cost_0;
         forward_above_own_2 <= forward_above_cost_2;
@@ -10412,18 +14576,6 @@ begin
         forward_above_step_9 <= forward_above_beside_9 + 5;
         forward_above_step_10 <= forward_above_beside_10 + 5;
         forward_above_step_11 <= forward_above_beside_11 + 5;
-        forward_above_stay_0 <= forward_above_own_0 mod 32 when forward_above_own_0 < 22 else 22;
-        forward_above_stay_1 <= forward_above_beside_0 mod 32 when forward_above_beside_0 < 22 else 22;
-        forward_above_stay_2 <= forward_above_own_2 mod 32 when forward_above_own_2 < 22 else 22;
-        forward_above_stay_3 <= forward_above_own_3 mod 32 when forward_above_own_3 < 22 else 22;
-        forward_above_stay_4 <= forward_above_own_4 mod 32 when forward_above_own_4 < 22 else 22;
-        forward_above_stay_5 <= forward_above_own_5 mod 32 when forward_above_own_5 < 22 else 22;
-        forward_above_stay_6 <= forward_above_own_6 mod 32 when forward_above_own_6 < 22 else 22;
-        forward_above_stay_7 <= forward_above_own_7 mod 32 when forward_above_own_7 < 22 else 22;
-        forward_above_stay_8 <= forward_above_own_8 mod 32 when forward_above_own_8 < 22 else 22;
-        forward_above_stay_9 <= forward_above_own_9 mod 32 when forward_above_own_9 < 22 else 22;
-        forward_above_stay_10 <= forward_above_beside_11 mod 32 when forward_above_beside_11 < 22 else 22;
-        forward_above_stay_11 <= forward_above_own_11 mod 32 when forward_above_own_11 < 22 else 22;
         forward_above_comes_0 <= entry_tag_map_column;
         forward_above_comes_1 <= forward_above_comes_0;
         forward_above_comes_2 <= forward_above_comes_1;
@@ -10513,33 +14665,346 @@ begin
         forward_smallest_cost_2 <= forward_smallest_cost_1;
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
+        if (entry_cost_1 - entry_cost_0) < 0 then
+          forward_smallest_smallest_0 <= entry_cost_1;
+        else
+          forward_smallest_smallest_0 <= entry_cost_0;
+        end if;
+        if (entry_cost_3 - entry_cost_2) < 0 then
+          forward_smallest_smallest_1 <= entry_cost_3;
+        else
+          forward_smallest_smallest_1 <= entry_cost_2;
+        end if;
+        if (entry_cost_5 - entry_cost_4) < 0 then
+          forward_smallest_smallest_2 <= entry_cost_5;
+        else
+          forward_smallest_smallest_2 <= entry_cost_4;
+        end if;
+        if (entry_cost_7 - entry_cost_6) < 0 then
+          forward_smallest_smallest_3 <= entry_cost_7;
+        else
+          forward_smallest_smallest_3 <= entry_cost_6;
+        end if;
+        if (entry_cost_9 - entry_cost_8) < 0 then
+          forward_smallest_smallest_4 <= entry_cost_9;
+        else
+          forward_smallest_smallest_4 <= entry_cost_8;
+        end if;
+        if (entry_cost_11 - entry_cost_10) < 0 then
+          forward_smallest_smallest_5 <= entry_cost_11;
+        else
+          forward_smallest_smallest_5 <= entry_cost_10;
+        end if;
+        if (forward_smallest_smallest_1 - forward_smallest_smallest_0) < 0 then
+          forward_smallest_next_smallest_0 <= forward_smallest_smallest_1;
+        else
+          forward_smallest_next_smallest_0 <= forward_smallest_smallest_0;
+        end if;
+        if (forward_smallest_smallest_3 - forward_smallest_smallest_2) < 0 then
+          forward_smallest_next_smallest_1 <= forward_smallest_smallest_3;
+        else
+          forward_smallest_next_smallest_1 <= forward_smallest_smallest_2;
+        end if;
+        if (forward_smallest_smallest_5 - forward_smallest_smallest_4) < 0 then
+          forward_smallest_next_smallest_2 <= forward_smallest_smallest_5;
+        else
+          forward_smallest_next_smallest_2 <= forward_smallest_smallest_4;
+        end if;
+        if (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 then
+          forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1;
+        else
+          forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_0;
+        end if;
+        if (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 then
+          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1;
+        else
+          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_0;
+        end if;
+        if forward_cost_delay_ring_read_address = 4 then
+          forward_cost_delay_ring_read_address <= 0;
+        else
+          forward_cost_delay_ring_read_address <= (forward_cost_delay_ring_read_address + 1) mod 8;
+        end if;
+        if (forward_left_pair_1 - forward_left_pair_0) < 0 then
+          forward_left_tree_smallest_0 <= forward_left_pair_1;
+        else
+          forward_left_tree_smallest_0 <= forward_left_pair_0;
+        end if;
+        if (forward_left_pair_3 - forward_left_pair_2) < 0 then
+          forward_left_tree_smallest_1 <= forward_left_pair_3;
+        else
+          forward_left_tree_smallest_1 <= forward_left_pair_2;
+        end if;
+        if (forward_left_pair_5 - forward_left_pair_4) < 0 then
+          forward_left_tree_smallest_2 <= forward_left_pair_5;
+        else
+          forward_left_tree_smallest_2 <= forward_left_pair_4;
+        end if;
+        if (forward_left_tree_smallest_1 - forward_left_tree_smallest_0) < 0 then
+          forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1;
+        else
+          forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_0;
+        end if;
+        if (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 then
+          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1;
+        else
+          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_0;
+        end if;
+        if sums_right_first_2 then
+          forward_left_start_cost_0 <= 22;
+          forward_left_start_cost_1 <= 0;
+          forward_left_start_cost_2 <= 0;
+          forward_left_start_cost_3 <= 0;
+          forward_left_start_cost_4 <= 0;
+          forward_left_start_cost_5 <= 0;
+          forward_left_start_cost_6 <= 0;
+          forward_left_room <= 0;
+        else
+          forward_left_start_cost_0 <= forward_left_start_cost_0_choice_2;
+          forward_left_start_cost_1 <= forward_left_start_cost_0;
+          forward_left_start_cost_2 <= forward_left_start_cost_1;
+          forward_left_start_cost_3 <= forward_left_start_cost_2;
+          forward_left_start_cost_4 <= forward_left_start_cost_3;
+          forward_left_start_cost_5 <= forward_left_start_cost_4;
+          forward_left_start_cost_6 <= forward_left_start_cost_5;
+          forward_left_room <= (forward_left_room_choice_2 + forward_left_start_cost_6) mod 32;
+        end if;
+        if (forward_above_total_1 - forward_above_total_0) < 0 then
+          forward_above_tree_smallest_0 <= forward_above_total_1;
+        else
+          forward_above_tree_smallest_0 <= forward_above_total_0;
+        end if;
+        if (forward_above_total_3 - forward_above_total_2) < 0 then
+          forward_above_tree_smallest_1 <= forward_above_total_3;
+        else
+          forward_above_tree_smallest_1 <= forward_above_total_2;
+        end if;
+        if (forward_above_total_5 - forward_above_total_4) < 0 then
+          forward_above_tree_smallest_2 <= forward_above_total_5;
+        else
+          forward_above_tree_smallest_2 <= forward_above_total_4;
+        end if;
+        if (forward_above_total_7 - forward_above_total_6) < 0 then
+          forward_above_tree_smallest_3 <= forward_above_total_7;
+        else
+          forward_above_tree_smallest_3 <= forward_above_total_6;
+        end if;
+        if (forward_above_total_9 - forward_above_total_8) < 0 then
+          forward_above_tree_smallest_4 <= forward_above_total_9;
+        else
+          forward_above_tree_smallest_4 <= forward_above_total_8;
+        end if;
+        if (forward_above_total_11 - forward_above_total_10) < 0 then
+          forward_above_tree_smallest_5 <= forward_above_total_11;
+        else
+          forward_above_tree_smallest_5 <= forward_above_total_10;
+        end if;
+        if (forward_above_tree_smallest_1 - forward_above_tree_smallest_0) < 0 then
+          forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1;
+        else
+          forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_0;
+        end if;
+        if (forward_above_tree_smallest_3 - forward_above_tree_smallest_2) < 0 then
+          forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3;
+        else
+          forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_2;
+        end if;
+        if (forward_above_tree_smallest_5 - forward_above_tree_smallest_4) < 0 then
+          forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5;
+        else
+          forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_4;
+        end if;
+        if (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 then
+          forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1;
+        else
+          forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_0;
+        end if;
+        if (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 then
+          forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1;
+        else
+          forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_0;
+        end if;
+        if forward_above_delay_ring_read_address = 4 then
+          forward_above_delay_ring_read_address <= 0;
+        else
+          forward_above_delay_ring_read_address <= (forward_above_delay_ring_read_address + 1) mod 8;
+        end if;
+        if (forward_above_cost_2 - forward_above_cost_0) < 0 then
+          forward_above_beside_1 <= forward_above_cost_2;
+        else
+          forward_above_beside_1 <= forward_above_cost_0;
+        end if;
+        if (forward_above_cost_3 - forward_above_cost_1) < 0 then
+          forward_above_beside_2 <= forward_above_cost_3;
+        else
+          forward_above_beside_2 <= forward_above_cost_1;
+        end if;
+        if (forward_above_cost_4 - forward_above_cost_2) < 0 then
+          forward_above_beside_3 <= forward_above_cost_4;
+        else
+          forward_above_beside_3 <= forward_above_cost_2;
+        end if;
+        if (forward_above_cost_5 - forward_above_cost_3) < 0 then
+          forward_above_beside_4 <= forward_above_cost_5;
+        else
+          forward_above_beside_4 <= forward_above_cost_3;
+        end if;
+        if (forward_above_cost_6 - forward_above_cost_4) < 0 then
+          forward_above_beside_5 <= forward_above_cost_6;
+        else
+          forward_above_beside_5 <= forward_above_cost_4;
+        end if;
+        if (forward_above_cost_7 - forward_above_cost_5) < 0 then
+          forward_above_beside_6 <= forward_above_cost_7;
+        else
+          forward_above_beside_6 <= forward_above_cost_5;
+        end if;
+        if (forward_above_cost_8 - forward_above_cost_6) < 0 then
+          forward_above_beside_7 <= forward_above_cost_8;
+        else
+          forward_above_beside_7 <= forward_above_cost_6;
+        end if;
+        if (forward_above_cost_9 - forward_above_cost_7) < 0 then
+          forward_above_beside_8 <= forward_above_cost_9;
+        else
+          forward_above_beside_8 <= forward_above_cost_7;
+        end if;
+        if (forward_above_cost_10 - forward_above_cost_8) < 0 then
+          forward_above_beside_9 <= forward_above_cost_10;
+        else
+          forward_above_beside_9 <= forward_above_cost_8;
+        end if;
+        if (forward_above_cost_11 - forward_above_cost_9) < 0 then
+          forward_above_beside_10 <= forward_above_cost_11;
+        else
+          forward_above_beside_10 <= forward_above_cost_9;
+        end if;
+        if forward_above_own_0 < 22 then
+          forward_above_stay_0 <= forward_above_own_0 mod 32;
+        else
+          forward_above_stay_0 <= 22;
+        end if;
+        if forward_above_beside_0 < 22 then
+          forward_above_stay_1 <= forward_above_beside_0 mod 32;
+        else
+          forward_above_stay_1 <= 22;
+        end if;
+        if forward_above_own_2 < 22 then
+          forward_above_stay_2 <= forward_above_own_2 mod 32;
+        else
+          forward_above_stay_2 <= 22;
+        end if;
+        if forward_above_own_3 < 22 then
+          forward_above_stay_3 <= forward_above_own_3 mod 32;
+        else
+          forward_above_stay_3 <= 22;
+        end if;
+        if forward_above_own_4 < 22 then
+          forward_above_stay_4 <= forward_above_own_4 mod 32;
+        else
+          forward_above_stay_4 <= 22;
+        end if;
+        if forward_above_own_5 < 22 then
+          forward_above_stay_5 <= forward_above_own_5 mod 32;
+        else
+          forward_above_stay_5 <= 22;
+        end if;
+        if forward_above_own_6 < 22 then
+          forward_above_stay_6 <= forward_above_own_6 mod 32;
+        else
+          forward_above_stay_6 <= 22;
+        end if;
+        if forward_above_own_7 < 22 then
+          forward_above_stay_7 <= forward_above_own_7 mod 32;
+        else
+          forward_above_stay_7 <= 22;
+        end if;
+        if forward_above_own_8 < 22 then
+          forward_above_stay_8 <= forward_above_own_8 mod 32;
+        else
+          forward_above_stay_8 <= 22;
+        end if;
+        if forward_above_own_9 < 22 then
+          forward_above_stay_9 <= forward_above_own_9 mod 32;
+        else
+          forward_above_stay_9 <= 22;
+        end if;
+        if forward_above_beside_11 < 22 then
+          forward_above_stay_10 <= forward_above_beside_11 mod 32;
+        else
+          forward_above_stay_10 <= 22;
+        end if;
+        if forward_above_own_11 < 22 then
+          forward_above_stay_11 <= forward_above_own_11 mod 32;
+        else
+          forward_above_stay_11 <= 22;
+        end if;
       end if;
-      forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid)) when
-        forward_above_comes_9 else entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
-      forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
-        else forward_above_stay_4;
-      forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
-        0 else forward_above_stay_5;
-      forward_above_write_words_0_choice_3 := forward_above_step_3 when (forward_above_step_3 - forward_above_stay_3) <
-        0 else forward_above_stay_3;
-      forward_above_write_words_0_choice_4 := forward_above_step_2 when (forward_above_step_2 - forward_above_stay_2) <
-        0 else forward_above_stay_2;
-      forward_above_write_words_0_choice_5 := forward_above_step_0 when (forward_above_step_0 - forward_above_stay_0) <
-        0 else forward_above_stay_0;
-      forward_above_write_words_0_choice_6 := forward_above_step_1 when (forward_above_step_1 - forward_above_stay_1) <
-        0 else forward_above_stay_1;
-      forward_above_write_words_1_choice := forward_above_step_10 when (forward_above_step_10 - forward_above_stay_10)
-        < 0 else forward_above_stay_10;
-      forward_above_write_words_1_choice_2 := forward_above_step_11 when (forward_above_step_11 -
-        forward_above_stay_11) < 0 else forward_above_stay_11;
-      forward_above_write_words_1_choice_3 := forward_above_step_9 when (forward_above_step_9 - forward_above_stay_9) <
-        0 else forward_above_stay_9;
-      forward_above_write_words_1_choice_4 := forward_above_step_8 when (forward_above_step_8 - forward_above_stay_8) <
-        0 else forward_above_stay_8;
-      forward_above_write_words_1_choice_5 := forward_above_step_6 when (forward_above_step_6 - forward_above_stay_6) <
-        0 else forward_above_stay_6;
-      forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
-        0 else forward_above_stay_7;
+      if forward_above_comes_9 then
+        forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid));
+      else
+        forward_above_writes_copy_0 <= entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
+      end if;
+      if (forward_above_step_4 - forward_above_stay_4) < 0 then
+        forward_above_write_words_0_choice := forward_above_step_4;
+      else
+        forward_above_write_words_0_choice := forward_above_stay_4;
+      end if;
+      if (forward_above_step_5 - forward_above_stay_5) < 0 then
+        forward_above_write_words_0_choice_2 := forward_above_step_5;
+      else
+        forward_above_write_words_0_choice_2 := forward_above_stay_5;
+      end if;
+      if (forward_above_step_3 - forward_above_stay_3) < 0 then
+        forward_above_write_words_0_choice_3 := forward_above_step_3;
+      else
+        forward_above_write_words_0_choice_3 := forward_above_stay_3;
+      end if;
+      if (forward_above_step_2 - forward_above_stay_2) < 0 then
+        forward_above_write_words_0_choice_4 := forward_above_step_2;
+      else
+        forward_above_write_words_0_choice_4 := forward_above_stay_2;
+      end if;
+      if (forward_above_step_0 - forward_above_stay_0) < 0 then
+        forward_above_write_words_0_choice_5 := forward_above_step_0;
+      else
+        forward_above_write_words_0_choice_5 := forward_above_stay_0;
+      end if;
+      if (forward_above_step_1 - forward_above_stay_1) < 0 then
+        forward_above_write_words_0_choice_6 := forward_above_step_1;
+      else
+        forward_above_write_words_0_choice_6 := forward_above_stay_1;
+      end if;
+      if (forward_above_step_10 - forward_above_stay_10) < 0 then
+        forward_above_write_words_1_choice := forward_above_step_10;
+      else
+        forward_above_write_words_1_choice := forward_above_stay_10;
+      end if;
+      if (forward_above_step_11 - forward_above_stay_11) < 0 then
+        forward_above_write_words_1_choice_2 := forward_above_step_11;
+      else
+        forward_above_write_words_1_choice_2 := forward_above_stay_11;
+      end if;
+      if (forward_above_step_9 - forward_above_stay_9) < 0 then
+        forward_above_write_words_1_choice_3 := forward_above_step_9;
+      else
+        forward_above_write_words_1_choice_3 := forward_above_stay_9;
+      end if;
+      if (forward_above_step_8 - forward_above_stay_8) < 0 then
+        forward_above_write_words_1_choice_4 := forward_above_step_8;
+      else
+        forward_above_write_words_1_choice_4 := forward_above_stay_8;
+      end if;
+      if (forward_above_step_6 - forward_above_stay_6) < 0 then
+        forward_above_write_words_1_choice_5 := forward_above_step_6;
+      else
+        forward_above_write_words_1_choice_5 := forward_above_stay_6;
+      end if;
+      if (forward_above_step_7 - forward_above_stay_7) < 0 then
+        forward_above_write_words_1_choice_6 := forward_above_step_7;
+      else
+        forward_above_write_words_1_choice_6 := forward_above_stay_7;
+      end if;
       if forward_above_writes_copy_0 then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
           20)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 25)))) or
@@ -10556,18 +15021,36 @@ begin
         forward_above_write_column <= forward_above_column_9;
       end if;
       -- sums
-      sums_right_pair_0_choice := sums_right_cost_2 when (sums_right_cost_2 - sums_right_cost_0) < 0 else
-        sums_right_cost_0;
-      sums_right_pair_1_choice := sums_right_cost_3 when (sums_right_cost_3 - sums_right_cost_1) < 0 else
-        sums_right_cost_1;
-      sums_right_pair_2_choice := sums_right_cost_6 when (sums_right_cost_6 - sums_right_cost_4) < 0 else
-        sums_right_cost_4;
-      sums_right_pair_3_choice := sums_right_cost_7 when (sums_right_cost_7 - sums_right_cost_5) < 0 else
-        sums_right_cost_5;
-      sums_right_pair_4_choice := sums_right_cost_10 when (sums_right_cost_10 - sums_right_cost_8) < 0 else
-        sums_right_cost_8;
-      sums_right_pair_5_choice := sums_right_cost_11 when (sums_right_cost_11 - sums_right_cost_9) < 0 else
-        sums_right_cost_9;
+      if (sums_right_cost_2 - sums_right_cost_0) < 0 then
+        sums_right_pair_0_choice := sums_right_cost_2;
+      else
+        sums_right_pair_0_choice := sums_right_cost_0;
+      end if;
+      if (sums_right_cost_3 - sums_right_cost_1) < 0 then
+        sums_right_pair_1_choice := sums_right_cost_3;
+      else
+        sums_right_pair_1_choice := sums_right_cost_1;
+      end if;
+      if (sums_right_cost_6 - sums_right_cost_4) < 0 then
+        sums_right_pair_2_choice := sums_right_cost_6;
+      else
+        sums_right_pair_2_choice := sums_right_cost_4;
+      end if;
+      if (sums_right_cost_7 - sums_right_cost_5) < 0 then
+        sums_right_pair_3_choice := sums_right_cost_7;
+      else
+        sums_right_pair_3_choice := sums_right_cost_5;
+      end if;
+      if (sums_right_cost_10 - sums_right_cost_8) < 0 then
+        sums_right_pair_4_choice := sums_right_cost_10;
+      else
+        sums_right_pair_4_choice := sums_right_cost_8;
+      end if;
+      if (sums_right_cost_11 - sums_right_cost_9) < 0 then
+        sums_right_pair_5_choice := sums_right_cost_11;
+      else
+        sums_right_pair_5_choice := sums_right_cost_9;
+      end if;
       sums_right_start_cost_0_value := (((sums_right_tree_next_next_smallest_0 mod 64) + sums_right_room) / 64) = 1;
       if sums_right_start_cost_0_value then
         sums_right_start_cost_0_choice := (((as_number(sums_right_start_cost_0_value) + 3) mod 4) * 64) +
@@ -10585,75 +15068,211 @@ begin
       else
         sums_right_room_choice := sums_right_room;
       end if;
-      sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 64) = 1 else sums_right_room_choice;
-      sums_right_cost_0_choice := sums_right_arrived_0 when (sums_right_arrived_0 - sums_right_cost_0) < 0 else
-        sums_right_cost_0;
-      sums_right_cost_0_choice_2 := 64 when ((sums_right_cost_0_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_0_choice;
-      sums_right_cost_1_choice := sums_right_arrived_1 when (sums_right_arrived_1 - sums_right_cost_1) < 0 else
-        sums_right_cost_1;
-      sums_right_cost_1_choice_2 := 64 when ((sums_right_cost_1_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_1_choice;
-      sums_right_cost_2_choice := sums_right_arrived_2 when (sums_right_arrived_2 - sums_right_cost_2) < 0 else
-        sums_right_cost_2;
-      sums_right_cost_2_choice_2 := 64 when ((sums_right_cost_2_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_2_choice;
-      sums_right_cost_3_choice := sums_right_arrived_3 when (sums_right_arrived_3 - sums_right_cost_3) < 0 else
-        sums_right_cost_3;
-      sums_right_cost_3_choice_2 := 64 when ((sums_right_cost_3_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_3_choice;
-      sums_right_cost_4_choice := sums_right_arrived_4 when (sums_right_arrived_4 - sums_right_cost_4) < 0 else
-        sums_right_cost_4;
-      sums_right_cost_4_choice_2 := 64 when ((sums_right_cost_4_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_4_choice;
-      sums_right_cost_5_choice := sums_right_arrived_5 when (sums_right_arrived_5 - sums_right_cost_5) < 0 else
-        sums_right_cost_5;
-      sums_right_cost_5_choice_2 := 64 when ((sums_right_cost_5_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_5_choice;
-      sums_right_cost_6_choice := sums_right_arrived_6 when (sums_right_arrived_6 - sums_right_cost_6) < 0 else
-        sums_right_cost_6;
-      sums_right_cost_6_choice_2 := 64 when ((sums_right_cost_6_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_6_choice;
-      sums_right_cost_7_choice := sums_right_arrived_7 when (sums_right_arrived_7 - sums_right_cost_7) < 0 else
-        sums_right_cost_7;
-      sums_right_cost_7_choice_2 := 64 when ((sums_right_cost_7_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_7_choice;
-      sums_right_cost_8_choice := sums_right_arrived_8 when (sums_right_arrived_8 - sums_right_cost_8) < 0 else
-        sums_right_cost_8;
-      sums_right_cost_8_choice_2 := 64 when ((sums_right_cost_8_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_8_choice;
-      sums_right_cost_9_choice := sums_right_arrived_9 when (sums_right_arrived_9 - sums_right_cost_9) < 0 else
-        sums_right_cost_9;
-      sums_right_cost_9_choice_2 := 64 when ((sums_right_cost_9_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_9_choice;
-      sums_right_cost_10_choice := sums_right_arrived_10 when (sums_right_arrived_10 - sums_right_cost_10) < 0 else
-        sums_right_cost_10;
-      sums_right_cost_10_choice_2 := 64 when ((sums_right_cost_10_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_10_choice;
-      sums_right_cost_11_choice := sums_right_arrived_11 when (sums_right_arrived_11 - sums_right_cost_11) < 0 else
-        sums_right_cost_11;
-      sums_right_cost_11_choice_2 := 64 when ((sums_right_cost_11_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_11_choice;
-      sums_right_arrived_0_choice := 64 when forward_first_3 else sums_right_cost_1;
-      sums_right_arrived_1_choice := 64 when forward_first_3 else sums_right_pair_0_choice;
-      sums_right_arrived_2_choice := 64 when forward_first_3 else sums_right_pair_1_choice;
-      sums_right_arrived_3_choice := sums_right_cost_4 when (sums_right_cost_4 - sums_right_cost_2) < 0 else
-        sums_right_cost_2;
-      sums_right_arrived_3_choice_2 := 64 when forward_first_3 else sums_right_arrived_3_choice;
-      sums_right_arrived_4_choice := sums_right_cost_5 when (sums_right_cost_5 - sums_right_cost_3) < 0 else
-        sums_right_cost_3;
-      sums_right_arrived_4_choice_2 := 64 when forward_first_3 else sums_right_arrived_4_choice;
-      sums_right_arrived_5_choice := 64 when forward_first_3 else sums_right_pair_2_choice;
-      sums_right_arrived_6_choice := 64 when forward_first_3 else sums_right_pair_3_choice;
-      sums_right_arrived_7_choice := sums_right_cost_8 when (sums_right_cost_8 - sums_right_cost_6) < 0 else
-        sums_right_cost_6;
-      sums_right_arrived_7_choice_2 := 64 when forward_first_3 else sums_right_arrived_7_choice;
-      sums_right_arrived_8_choice := sums_right_cost_9 when (sums_right_cost_9 - sums_right_cost_7) < 0 else
-        sums_right_cost_7;
-      sums_right_arrived_8_choice_2 := 64 when forward_first_3 else sums_right_arrived_8_choice;
-      sums_right_arrived_9_choice := 64 when forward_first_3 else sums_right_pair_4_choice;
-      sums_right_arrived_10_choice := 64 when forward_first_3 else sums_right_pair_5_choice;
-      sums_right_arrived_11_choice := 64 when forward_first_3 else sums_right_cost_10;
+      if (sums_right_tree_next_next_smallest_0 / 64) = 1 then
+        sums_right_room_choice_2 := 0;
+      else
+        sums_right_room_choice_2 := sums_right_room_choice;
+      end if;
+      if (sums_right_arrived_0 - sums_right_cost_0) < 0 then
+        sums_right_cost_0_choice := sums_right_arrived_0;
+      else
+        sums_right_cost_0_choice := sums_right_cost_0;
+      end if;
+      if ((sums_right_cost_0_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_0_choice_2 := 64;
+      else
+        sums_right_cost_0_choice_2 := sums_right_cost_0_choice;
+      end if;
+      if (sums_right_arrived_1 - sums_right_cost_1) < 0 then
+        sums_right_cost_1_choice := sums_right_arrived_1;
+      else
+        sums_right_cost_1_choice := sums_right_cost_1;
+      end if;
+      if ((sums_right_cost_1_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_1_choice_2 := 64;
+      else
+        sums_right_cost_1_choice_2 := sums_right_cost_1_choice;
+      end if;
+      if (sums_right_arrived_2 - sums_right_cost_2) < 0 then
+        sums_right_cost_2_choice := sums_right_arrived_2;
+      else
+        sums_right_cost_2_choice := sums_right_cost_2;
+      end if;
+      if ((sums_right_cost_2_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_2_choice_2 := 64;
+      else
+        sums_right_cost_2_choice_2 := sums_right_cost_2_choice;
+      end if;
+      if (sums_right_arrived_3 - sums_right_cost_3) < 0 then
+        sums_right_cost_3_choice := sums_right_arrived_3;
+      else
+        sums_right_cost_3_choice := sums_right_cost_3;
+      end if;
+      if ((sums_right_cost_3_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_3_choice_2 := 64;
+      else
+        sums_right_cost_3_choice_2 := sums_right_cost_3_choice;
+      end if;
+      if (sums_right_arrived_4 - sums_right_cost_4) < 0 then
+        sums_right_cost_4_choice := sums_right_arrived_4;
+      else
+        sums_right_cost_4_choice := sums_right_cost_4;
+      end if;
+      if ((sums_right_cost_4_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_4_choice_2 := 64;
+      else
+        sums_right_cost_4_choice_2 := sums_right_cost_4_choice;
+      end if;
+      if (sums_right_arrived_5 - sums_right_cost_5) < 0 then
+        sums_right_cost_5_choice := sums_right_arrived_5;
+      else
+        sums_right_cost_5_choice := sums_right_cost_5;
+      end if;
+      if ((sums_right_cost_5_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_5_choice_2 := 64;
+      else
+        sums_right_cost_5_choice_2 := sums_right_cost_5_choice;
+      end if;
+      if (sums_right_arrived_6 - sums_right_cost_6) < 0 then
+        sums_right_cost_6_choice := sums_right_arrived_6;
+      else
+        sums_right_cost_6_choice := sums_right_cost_6;
+      end if;
+      if ((sums_right_cost_6_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_6_choice_2 := 64;
+      else
+        sums_right_cost_6_choice_2 := sums_right_cost_6_choice;
+      end if;
+      if (sums_right_arrived_7 - sums_right_cost_7) < 0 then
+        sums_right_cost_7_choice := sums_right_arrived_7;
+      else
+        sums_right_cost_7_choice := sums_right_cost_7;
+      end if;
+      if ((sums_right_cost_7_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_7_choice_2 := 64;
+      else
+        sums_right_cost_7_choice_2 := sums_right_cost_7_choice;
+      end if;
+      if (sums_right_arrived_8 - sums_right_cost_8) < 0 then
+        sums_right_cost_8_choice := sums_right_arrived_8;
+      else
+        sums_right_cost_8_choice := sums_right_cost_8;
+      end if;
+      if ((sums_right_cost_8_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_8_choice_2 := 64;
+      else
+        sums_right_cost_8_choice_2 := sums_right_cost_8_choice;
+      end if;
+      if (sums_right_arrived_9 - sums_right_cost_9) < 0 then
+        sums_right_cost_9_choice := sums_right_arrived_9;
+      else
+        sums_right_cost_9_choice := sums_right_cost_9;
+      end if;
+      if ((sums_right_cost_9_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_9_choice_2 := 64;
+      else
+        sums_right_cost_9_choice_2 := sums_right_cost_9_choice;
+      end if;
+      if (sums_right_arrived_10 - sums_right_cost_10) < 0 then
+        sums_right_cost_10_choice := sums_right_arrived_10;
+      else
+        sums_right_cost_10_choice := sums_right_cost_10;
+      end if;
+      if ((sums_right_cost_10_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_10_choice_2 := 64;
+      else
+        sums_right_cost_10_choice_2 := sums_right_cost_10_choice;
+      end if;
+      if (sums_right_arrived_11 - sums_right_cost_11) < 0 then
+        sums_right_cost_11_choice := sums_right_arrived_11;
+      else
+        sums_right_cost_11_choice := sums_right_cost_11;
+      end if;
+      if ((sums_right_cost_11_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_11_choice_2 := 64;
+      else
+        sums_right_cost_11_choice_2 := sums_right_cost_11_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_0_choice := 64;
+      else
+        sums_right_arrived_0_choice := sums_right_cost_1;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_1_choice := 64;
+      else
+        sums_right_arrived_1_choice := sums_right_pair_0_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_2_choice := 64;
+      else
+        sums_right_arrived_2_choice := sums_right_pair_1_choice;
+      end if;
+      if (sums_right_cost_4 - sums_right_cost_2) < 0 then
+        sums_right_arrived_3_choice := sums_right_cost_4;
+      else
+        sums_right_arrived_3_choice := sums_right_cost_2;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_3_choice_2 := 64;
+      else
+        sums_right_arrived_3_choice_2 := sums_right_arrived_3_choice;
+      end if;
+      if (sums_right_cost_5 - sums_right_cost_3) < 0 then
+        sums_right_arrived_4_choice := sums_right_cost_5;
+      else
+        sums_right_arrived_4_choice := sums_right_cost_3;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_4_choice_2 := 64;
+      else
+        sums_right_arrived_4_choice_2 := sums_right_arrived_4_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_5_choice := 64;
+      else
+        sums_right_arrived_5_choice := sums_right_pair_2_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_6_choice := 64;
+      else
+        sums_right_arrived_6_choice := sums_right_pair_3_choice;
+      end if;
+      if (sums_right_cost_8 - sums_right_cost_6) < 0 then
+        sums_right_arrived_7_choice := sums_right_cost_8;
+      else
+        sums_right_arrived_7_choice := sums_right_cost_6;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_7_choice_2 := 64;
+      else
+        sums_right_arrived_7_choice_2 := sums_right_arrived_7_choice;
+      end if;
+      if (sums_right_cost_9 - sums_right_cost_7) < 0 then
+        sums_right_arrived_8_choice := sums_right_cost_9;
+      else
+        sums_right_arrived_8_choice := sums_right_cost_7;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_8_choice_2 := 64;
+      else
+        sums_right_arrived_8_choice_2 := sums_right_arrived_8_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_9_choice := 64;
+      else
+        sums_right_arrived_9_choice := sums_right_pair_4_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_10_choice := 64;
+      else
+        sums_right_arrived_10_choice := sums_right_pair_5_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_11_choice := 64;
+      else
+        sums_right_arrived_11_choice := sums_right_cost_10;
+      end if;
       if entry_tag_valid then
         sums_turn_ready_sums_0 <= to_integer(sums_turn_read_sums_0);
         sums_turn_ready_sums_1 <= to_integer(sums_turn_read_sums_1);
@@ -10701,25 +15320,7 @@ begin
         sums_right_pair_3 <= sums_right_pair_3_choice;
         sums_right_pair_4 <= sums_right_pair_4_choice;
         sums_right_pair_5 <= sums_right_pair_5_choice;
-        sums_right_tree_smallest_0 <= sums_right_pair_1 when (sums_right_pair_1 - sums_right_pair_0) < 0 else
-          sums_right_pair_0;
-        sums_right_tree_smallest_1 <= sums_right_pair_3 when (sums_right_pair_3 - sums_right_pair_2) < 0 else
-          sums_right_pair_2;
-        sums_right_tree_smallest_2 <= sums_right_pair_5 when (sums_right_pair_5 - sums_right_pair_4) < 0 else
-          sums_right_pair_4;
-        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when (sums_right_tree_smallest_1 -
-          sums_right_tree_smallest_0) < 0 else sums_right_tree_smallest_0;
         sums_right_tree_next_smallest_1 <= sums_right_tree_smallest_2;
-        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when (sums_right_tree_next_smallest_1 -
-          sums_right_tree_next_smallest_0) < 0 else sums_right_tree_next_smallest_0;
-        sums_right_start_cost_0 <= 22 when forward_first_0 else sums_right_start_cost_0_choice_2;
-        sums_right_start_cost_1 <= 0 when forward_first_0 else sums_right_start_cost_0;
-        sums_right_start_cost_2 <= 0 when forward_first_0 else sums_right_start_cost_1;
-        sums_right_start_cost_3 <= 0 when forward_first_0 else sums_right_start_cost_2;
-        sums_right_start_cost_4 <= 0 when forward_first_0 else sums_right_start_cost_3;
-        sums_right_start_cost_5 <= 0 when forward_first_0 else sums_right_start_cost_4;
-        sums_right_start_cost_6 <= 0 when forward_first_0 else sums_right_start_cost_5;
-        sums_right_room <= 0 when forward_first_0 else (sums_right_room_choice_2 + sums_right_start_cost_6) mod 32;
         sums_right_smallest <= sums_turn_ready_smallest_0;
         sums_right_smallest_less <= (sums_turn_ready_smallest_0 + 123) mod 128;
         sums_right_first_0 <= sums_turn_ready_first;
@@ -10775,8 +15376,6 @@ begin
         sums_right_arrived_9 <= (sums_right_arrived_9_choice + sums_right_step_change_9) mod 128;
         sums_right_arrived_10 <= (sums_right_arrived_10_choice + sums_right_step_change_10) mod 128;
         sums_right_arrived_11 <= (sums_right_arrived_11_choice + sums_right_step_change_11) mod 128;
-        sums_sum_delay_ring_read_address <= 0 when sums_sum_delay_ring_read_address = 3 else
-          (sums_sum_delay_ring_read_address + 1) mod 4;
         sums_sum_delay_ring_write_address <= sums_sum_delay_ring_read_address;
         sums_tags_held_0_output_column <= entry_turned_output_column;
         sums_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
@@ -10793,8 +15392,61 @@ begin
         sums_tags_held_4_output_column <= sums_tags_held_3_output_column;
         sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
         sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
+        if (sums_right_pair_1 - sums_right_pair_0) < 0 then
+          sums_right_tree_smallest_0 <= sums_right_pair_1;
+        else
+          sums_right_tree_smallest_0 <= sums_right_pair_0;
+        end if;
+        if (sums_right_pair_3 - sums_right_pair_2) < 0 then
+          sums_right_tree_smallest_1 <= sums_right_pair_3;
+        else
+          sums_right_tree_smallest_1 <= sums_right_pair_2;
+        end if;
+        if (sums_right_pair_5 - sums_right_pair_4) < 0 then
+          sums_right_tree_smallest_2 <= sums_right_pair_5;
+        else
+          sums_right_tree_smallest_2 <= sums_right_pair_4;
+        end if;
+        if (sums_right_tree_smallest_1 - sums_right_tree_smallest_0) < 0 then
+          sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1;
+        else
+          sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_0;
+        end if;
+        if (sums_right_tree_next_smallest_1 - sums_right_tree_next_smallest_0) < 0 then
+          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1;
+        else
+          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_0;
+        end if;
+        if forward_first_0 then
+          sums_right_start_cost_0 <= 22;
+          sums_right_start_cost_1 <= 0;
+          sums_right_start_cost_2 <= 0;
+          sums_right_start_cost_3 <= 0;
+          sums_right_start_cost_4 <= 0;
+          sums_right_start_cost_5 <= 0;
+          sums_right_start_cost_6 <= 0;
+          sums_right_room <= 0;
+        else
+          sums_right_start_cost_0 <= sums_right_start_cost_0_choice_2;
+          sums_right_start_cost_1 <= sums_right_start_cost_0;
+          sums_right_start_cost_2 <= sums_right_start_cost_1;
+          sums_right_start_cost_3 <= sums_right_start_cost_2;
+          sums_right_start_cost_4 <= sums_right_start_cost_3;
+          sums_right_start_cost_5 <= sums_right_start_cost_4;
+          sums_right_start_cost_6 <= sums_right_start_cost_5;
+          sums_right_room <= (sums_right_room_choice_2 + sums_right_start_cost_6) mod 32;
+        end if;
+        if sums_sum_delay_ring_read_address = 3 then
+          sums_sum_delay_ring_read_address <= 0;
+        else
+          sums_sum_delay_ring_read_address <= (sums_sum_delay_ring_read_address + 1) mod 4;
+        end if;
       end if;
-      sums_turn_writes_copy_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
+      if entry_tag_valid then
+        sums_turn_writes_copy_0_choice := forward_above_comes_7;
+      else
+        sums_turn_writes_copy_0_choice := forward_above_comes_8;
+      end if;
       sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
       sums_sum_0_0 <= sums_right_cost_0 + to_integer(sums_sum_delay_held_0(6 downto 0));
       sums_sum_0_1 <= sums_right_cost_1 + to_integer(sums_sum_delay_held_0(13 downto 7));
@@ -10829,353 +15481,586 @@ begin
         sums_turn_write_place <= sums_turn_place_8;
       end if;
       -- winnerswinner1
-      winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1))
-        when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice when ((sums_sum_0_0 / 2) mod 2) = 1 else
-        ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+      if (sums_sum_0_0 mod 2) = 1 then
+        winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_0_choice := not (((sums_sum_0_1 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_0 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice;
+      else
+        winnerswinner1_of_pair_0_0_choice_2 := ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_0_value when winnerswinner1_of_pair_0_0_choice_2 else (not (((sums_sum_0_0 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_0_value;
+      if winnerswinner1_of_pair_0_0_choice_2 then
+        winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value;
+      else
+        winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value;
+      end if;
       winnerswinner1_of_pair_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_0_value_2 when winnerswinner1_of_pair_0_0_choice_3 else (not (((sums_sum_0_0 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_0_value_2;
+      if winnerswinner1_of_pair_0_0_choice_3 then
+        winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_2;
+      else
+        winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_2;
+      end if;
       winnerswinner1_of_pair_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_0_value_3 when winnerswinner1_of_pair_0_0_choice_4 else (not (((sums_sum_0_0 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_0_value_3;
+      if winnerswinner1_of_pair_0_0_choice_4 then
+        winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_3;
+      else
+        winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_3;
+      end if;
       winnerswinner1_of_pair_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_0_value_4 when winnerswinner1_of_pair_0_0_choice_5 else (not (((sums_sum_0_0 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_0_value_4;
+      if winnerswinner1_of_pair_0_0_choice_5 then
+        winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_4;
+      else
+        winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_4;
+      end if;
       winnerswinner1_of_pair_0_0_value_5 := ((sums_sum_0_1 / 64) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_7 := (not (((sums_sum_0_0 / 64) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_0_value_5 when winnerswinner1_of_pair_0_0_choice_6 else (not (((sums_sum_0_0 / 64) mod
-        2) = 1)) and winnerswinner1_of_pair_0_0_value_5;
-      winnerswinner1_of_pair_0_0_choice_8 := ((sums_sum_0_0 / 128) = 1) and (not ((sums_sum_0_1 / 128) = 1)) when
-        winnerswinner1_of_pair_0_0_choice_7 else ((sums_sum_0_0 / 128) = 1) or (not ((sums_sum_0_1 / 128) = 1));
-      winnerswinner1_of_pair_0_2_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1))
-        when (sums_sum_0_2 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_2_choice_2 := winnerswinner1_of_pair_0_2_choice when ((sums_sum_0_2 / 2) mod 2) = 1 else
-        ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+      if winnerswinner1_of_pair_0_0_choice_6 then
+        winnerswinner1_of_pair_0_0_choice_7 := (not (((sums_sum_0_0 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_5;
+      else
+        winnerswinner1_of_pair_0_0_choice_7 := (not (((sums_sum_0_0 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_0_choice_7 then
+        winnerswinner1_of_pair_0_0_choice_8 := ((sums_sum_0_0 / 128) = 1) and (not ((sums_sum_0_1 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_0_choice_8 := ((sums_sum_0_0 / 128) = 1) or (not ((sums_sum_0_1 / 128) = 1));
+      end if;
+      if (sums_sum_0_2 mod 2) = 1 then
+        winnerswinner1_of_pair_0_2_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_2_choice := not (((sums_sum_0_3 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_2 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_2_choice_2 := winnerswinner1_of_pair_0_2_choice;
+      else
+        winnerswinner1_of_pair_0_2_choice_2 := ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_2_value := ((sums_sum_0_3 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_2_value when winnerswinner1_of_pair_0_2_choice_2 else (not (((sums_sum_0_2 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_2_value;
+      if winnerswinner1_of_pair_0_2_choice_2 then
+        winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value;
+      else
+        winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value;
+      end if;
       winnerswinner1_of_pair_0_2_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_2_value_2 when winnerswinner1_of_pair_0_2_choice_3 else (not (((sums_sum_0_2 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_2_value_2;
+      if winnerswinner1_of_pair_0_2_choice_3 then
+        winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_2;
+      else
+        winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_2;
+      end if;
       winnerswinner1_of_pair_0_2_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_2_value_3 when winnerswinner1_of_pair_0_2_choice_4 else (not (((sums_sum_0_2 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_2_value_3;
+      if winnerswinner1_of_pair_0_2_choice_4 then
+        winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_3;
+      else
+        winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_3;
+      end if;
       winnerswinner1_of_pair_0_2_value_4 := ((sums_sum_0_3 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_2_value_4 when winnerswinner1_of_pair_0_2_choice_5 else (not (((sums_sum_0_2 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_2_value_4;
+      if winnerswinner1_of_pair_0_2_choice_5 then
+        winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_4;
+      else
+        winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_4;
+      end if;
       winnerswinner1_of_pair_0_2_value_5 := ((sums_sum_0_3 / 64) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_7 := (not (((sums_sum_0_2 / 64) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_2_value_5 when winnerswinner1_of_pair_0_2_choice_6 else (not (((sums_sum_0_2 / 64) mod
-        2) = 1)) and winnerswinner1_of_pair_0_2_value_5;
-      winnerswinner1_of_pair_0_2_choice_8 := ((sums_sum_0_2 / 128) = 1) and (not ((sums_sum_0_3 / 128) = 1)) when
-        winnerswinner1_of_pair_0_2_choice_7 else ((sums_sum_0_2 / 128) = 1) or (not ((sums_sum_0_3 / 128) = 1));
-      winnerswinner1_of_pair_0_4_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1))
-        when (sums_sum_0_4 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_4_choice_2 := winnerswinner1_of_pair_0_4_choice when ((sums_sum_0_4 / 2) mod 2) = 1 else
-        ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
+      if winnerswinner1_of_pair_0_2_choice_6 then
+        winnerswinner1_of_pair_0_2_choice_7 := (not (((sums_sum_0_2 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_5;
+      else
+        winnerswinner1_of_pair_0_2_choice_7 := (not (((sums_sum_0_2 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_2_choice_7 then
+        winnerswinner1_of_pair_0_2_choice_8 := ((sums_sum_0_2 / 128) = 1) and (not ((sums_sum_0_3 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_2_choice_8 := ((sums_sum_0_2 / 128) = 1) or (not ((sums_sum_0_3 / 128) = 1));
+      end if;
+      if (sums_sum_0_4 mod 2) = 1 then
+        winnerswinner1_of_pair_0_4_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_4_choice := not (((sums_sum_0_5 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_4 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_4_choice_2 := winnerswinner1_of_pair_0_4_choice;
+      else
+        winnerswinner1_of_pair_0_4_choice_2 := ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_4_value := ((sums_sum_0_5 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_4_value when winnerswinner1_of_pair_0_4_choice_2 else (not (((sums_sum_0_4 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_4_value;
+      if winnerswinner1_of_pair_0_4_choice_2 then
+        winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value;
+      else
+        winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value;
+      end if;
       winnerswinner1_of_pair_0_4_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_4_value_2 when winnerswinner1_of_pair_0_4_choice_3 else (not (((sums_sum_0_4 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_4_value_2;
+      if winnerswinner1_of_pair_0_4_choice_3 then
+        winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_2;
+      else
+        winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_2;
+      end if;
       winnerswinner1_of_pair_0_4_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_4_value_3 when winnerswinner1_of_pair_0_4_choice_4 else (not (((sums_sum_0_4 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_4_value_3;
+      if winnerswinner1_of_pair_0_4_choice_4 then
+        winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_3;
+      else
+        winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_3;
+      end if;
       winnerswinner1_of_pair_0_4_value_4 := ((sums_sum_0_5 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_4_value_4 when winnerswinner1_of_pair_0_4_choice_5 else (not (((sums_sum_0_4 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_4_value_4;
+      if winnerswinner1_of_pair_0_4_choice_5 then
+        winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_4;
+      else
+        winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_4;
+      end if;
       winnerswinner1_of_pair_0_4_value_5 := ((sums_sum_0_5 / 64) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_7 := (not (((sums_sum_0_4 / 64) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_4_value_5 when winnerswinner1_of_pair_0_4_choice_6 else (not (((sums_sum_0_4 / 64) mod
-        2) = 1)) and winnerswinner1_of_pair_0_4_value_5;
-      winnerswinner1_of_pair_0_4_choice_8 := ((sums_sum_0_4 / 128) = 1) and (not ((sums_sum_0_5 / 128) = 1)) when
-        winnerswinner1_of_pair_0_4_choice_7 else ((sums_sum_0_4 / 128) = 1) or (not ((sums_sum_0_5 / 128) = 1));
-      winnerswinner1_of_pair_0_6_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1))
-        when (sums_sum_0_6 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_6_choice_2 := winnerswinner1_of_pair_0_6_choice when ((sums_sum_0_6 / 2) mod 2) = 1 else
-        ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
+      if winnerswinner1_of_pair_0_4_choice_6 then
+        winnerswinner1_of_pair_0_4_choice_7 := (not (((sums_sum_0_4 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_5;
+      else
+        winnerswinner1_of_pair_0_4_choice_7 := (not (((sums_sum_0_4 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_4_choice_7 then
+        winnerswinner1_of_pair_0_4_choice_8 := ((sums_sum_0_4 / 128) = 1) and (not ((sums_sum_0_5 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_4_choice_8 := ((sums_sum_0_4 / 128) = 1) or (not ((sums_sum_0_5 / 128) = 1));
+      end if;
+      if (sums_sum_0_6 mod 2) = 1 then
+        winnerswinner1_of_pair_0_6_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_6_choice := not (((sums_sum_0_7 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_6 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_6_choice_2 := winnerswinner1_of_pair_0_6_choice;
+      else
+        winnerswinner1_of_pair_0_6_choice_2 := ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_6_value := ((sums_sum_0_7 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_6_value when winnerswinner1_of_pair_0_6_choice_2 else (not (((sums_sum_0_6 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_6_value;
+      if winnerswinner1_of_pair_0_6_choice_2 then
+        winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value;
+      else
+        winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value;
+      end if;
       winnerswinner1_of_pair_0_6_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_6_value_2 when winnerswinner1_of_pair_0_6_choice_3 else (not (((sums_sum_0_6 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_6_value_2;
+      if winnerswinner1_of_pair_0_6_choice_3 then
+        winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_2;
+      else
+        winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_2;
+      end if;
       winnerswinner1_of_pair_0_6_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_6_value_3 when winnerswinner1_of_pair_0_6_choice_4 else (not (((sums_sum_0_6 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_6_value_3;
+      if winnerswinner1_of_pair_0_6_choice_4 then
+        winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_3;
+      else
+        winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_3;
+      end if;
       winnerswinner1_of_pair_0_6_value_4 := ((sums_sum_0_7 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_6_value_4 when winnerswinner1_of_pair_0_6_choice_5 else (not (((sums_sum_0_6 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_6_value_4;
+      if winnerswinner1_of_pair_0_6_choice_5 then
+        winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_4;
+      else
+        winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_4;
+      end if;
       winnerswinner1_of_pair_0_6_value_5 := ((sums_sum_0_7 / 64) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_7 := (not (((sums_sum_0_6 / 64) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_6_value_5 when winnerswinner1_of_pair_0_6_choice_6 else (not (((sums_sum_0_6 / 64) mod
-        2) = 1)) and winnerswinner1_of_pair_0_6_value_5;
-      winnerswinner1_of_pair_0_6_choice_8 := ((sums_sum_0_6 / 128) = 1) and (not ((sums_sum_0_7 / 128) = 1)) when
-        winnerswinner1_of_pair_0_6_choice_7 else ((sums_sum_0_6 / 128) = 1) or (not ((sums_sum_0_7 / 128) = 1));
-      winnerswinner1_of_pair_0_8_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1))
-        when (sums_sum_0_8 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_8_choice_2 := winnerswinner1_of_pair_0_8_choice when ((sums_sum_0_8 / 2) mod 2) = 1 else
-        ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
+      if winnerswinner1_of_pair_0_6_choice_6 then
+        winnerswinner1_of_pair_0_6_choice_7 := (not (((sums_sum_0_6 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_5;
+      else
+        winnerswinner1_of_pair_0_6_choice_7 := (not (((sums_sum_0_6 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_6_choice_7 then
+        winnerswinner1_of_pair_0_6_choice_8 := ((sums_sum_0_6 / 128) = 1) and (not ((sums_sum_0_7 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_6_choice_8 := ((sums_sum_0_6 / 128) = 1) or (not ((sums_sum_0_7 / 128) = 1));
+      end if;
+      if (sums_sum_0_8 mod 2) = 1 then
+        winnerswinner1_of_pair_0_8_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_8_choice := not (((sums_sum_0_9 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_8 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_8_choice_2 := winnerswinner1_of_pair_0_8_choice;
+      else
+        winnerswinner1_of_pair_0_8_choice_2 := ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_8_value := ((sums_sum_0_9 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_8_value when winnerswinner1_of_pair_0_8_choice_2 else (not (((sums_sum_0_8 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_8_value;
+      if winnerswinner1_of_pair_0_8_choice_2 then
+        winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value;
+      else
+        winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value;
+      end if;
       winnerswinner1_of_pair_0_8_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_8_value_2 when winnerswinner1_of_pair_0_8_choice_3 else (not (((sums_sum_0_8 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_8_value_2;
+      if winnerswinner1_of_pair_0_8_choice_3 then
+        winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value_2;
+      else
+        winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value_2;
+      end if;
       winnerswinner1_of_pair_0_8_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_8_value_3 when winnerswinner1_of_pair_0_8_choice_4 else (not (((sums_sum_0_8 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_8_value_3;
+      if winnerswinner1_of_pair_0_8_choice_4 then
+        winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value_3;
+      else
+        winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value_3;
+      end if;
       winnerswinner1_of_pair_0_8_value_4 := ((sums_sum_0_9 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_8_value_4 when winnerswinner1_of_pair_0_8_choice_5 else (not (((sums_sum_0_8 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_8_value_4;
+      if winnerswinner1_of_pair_0_8_choice_5 then
+        winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value_4;
+      else
+        winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value_4;
+      end if;
       winnerswinner1_of_pair_0_8_value_5 := ((sums_sum_0_9 / 64) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_7 := (not (((sums_sum_0_8 / 64) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_8_value_5 when winnerswinner1_of_pair_0_8_choice_6 else (not (((sums_sum_0_8 / 64) mod
-        2) = 1)) and winnerswinner1_of_pair_0_8_value_5;
-      winnerswinner1_of_pair_0_8_choice_8 := ((sums_sum_0_8 / 128) = 1) and (not ((sums_sum_0_9 / 128) = 1)) when
-        winnerswinner1_of_pair_0_8_choice_7 else ((sums_sum_0_8 / 128) = 1) or (not ((sums_sum_0_9 / 128) = 1));
-      winnerswinner1_of_pair_0_10_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
-        1)) when (sums_sum_0_10 mod 2) = 1 else not (((sums_sum_0_11 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_10_choice_2 := winnerswinner1_of_pair_0_10_choice when ((sums_sum_0_10 / 2) mod 2) = 1
-        else ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
+      if winnerswinner1_of_pair_0_8_choice_6 then
+        winnerswinner1_of_pair_0_8_choice_7 := (not (((sums_sum_0_8 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value_5;
+      else
+        winnerswinner1_of_pair_0_8_choice_7 := (not (((sums_sum_0_8 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_8_choice_7 then
+        winnerswinner1_of_pair_0_8_choice_8 := ((sums_sum_0_8 / 128) = 1) and (not ((sums_sum_0_9 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_8_choice_8 := ((sums_sum_0_8 / 128) = 1) or (not ((sums_sum_0_9 / 128) = 1));
+      end if;
+      if (sums_sum_0_10 mod 2) = 1 then
+        winnerswinner1_of_pair_0_10_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
+          1));
+      else
+        winnerswinner1_of_pair_0_10_choice := not (((sums_sum_0_11 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_10 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_10_choice_2 := winnerswinner1_of_pair_0_10_choice;
+      else
+        winnerswinner1_of_pair_0_10_choice_2 := ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_10_value := ((sums_sum_0_11 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_10_value when winnerswinner1_of_pair_0_10_choice_2 else (not (((sums_sum_0_10 / 4) mod
-        2) = 1)) or winnerswinner1_of_pair_0_10_value;
+      if winnerswinner1_of_pair_0_10_choice_2 then
+        winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value;
+      else
+        winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value;
+      end if;
       winnerswinner1_of_pair_0_10_value_2 := ((sums_sum_0_11 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_10_value_2 when winnerswinner1_of_pair_0_10_choice_3 else (not (((sums_sum_0_10 / 8)
-        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_2;
+      if winnerswinner1_of_pair_0_10_choice_3 then
+        winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value_2;
+      else
+        winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value_2;
+      end if;
       winnerswinner1_of_pair_0_10_value_3 := ((sums_sum_0_11 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_10_value_3 when winnerswinner1_of_pair_0_10_choice_4 else (not (((sums_sum_0_10 / 16)
-        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_3;
+      if winnerswinner1_of_pair_0_10_choice_4 then
+        winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value_3;
+      else
+        winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value_3;
+      end if;
       winnerswinner1_of_pair_0_10_value_4 := ((sums_sum_0_11 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_10_value_4 when winnerswinner1_of_pair_0_10_choice_5 else (not (((sums_sum_0_10 / 32)
-        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_4;
+      if winnerswinner1_of_pair_0_10_choice_5 then
+        winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value_4;
+      else
+        winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value_4;
+      end if;
       winnerswinner1_of_pair_0_10_value_5 := ((sums_sum_0_11 / 64) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_7 := (not (((sums_sum_0_10 / 64) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_10_value_5 when winnerswinner1_of_pair_0_10_choice_6 else (not (((sums_sum_0_10 / 64)
-        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_5;
-      winnerswinner1_of_pair_0_10_choice_8 := ((sums_sum_0_10 / 128) = 1) and (not ((sums_sum_0_11 / 128) = 1)) when
-        winnerswinner1_of_pair_0_10_choice_7 else ((sums_sum_0_10 / 128) = 1) or (not ((sums_sum_0_11 / 128) = 1));
-      winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_2 mod 2) = 1)) when (winnerswinner1_of_pair_0_1 mod 2) = 1 else
-        ((winnerswinner1_of_pair_0_0 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      if winnerswinner1_of_pair_0_10_choice_6 then
+        winnerswinner1_of_pair_0_10_choice_7 := (not (((sums_sum_0_10 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value_5;
+      else
+        winnerswinner1_of_pair_0_10_choice_7 := (not (((sums_sum_0_10 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_10_choice_7 then
+        winnerswinner1_of_pair_0_10_choice_8 := ((sums_sum_0_10 / 128) = 1) and (not ((sums_sum_0_11 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_10_choice_8 := ((sums_sum_0_10 / 128) = 1) or (not ((sums_sum_0_11 / 128) = 1));
+      end if;
+      if (winnerswinner1_of_pair_0_1 mod 2) = 1 then
+        winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
+          ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      else
+        winnerswinner1_of_four_0_0_choice := ((winnerswinner1_of_pair_0_0 mod 2) = 1) and (not
+          ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      end if;
       winnerswinner1_of_four_0_0_value := ((winnerswinner1_of_pair_0_1 / 2) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_2 := ((winnerswinner1_of_pair_0_0 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value or
-        winnerswinner1_of_four_0_0_value_2 when (not (((winnerswinner1_of_pair_0_3 / 2) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_2 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_0_choice and
-        (winnerswinner1_of_four_0_0_value or winnerswinner1_of_four_0_0_value_2);
+      if (not (((winnerswinner1_of_pair_0_3 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_2 / 2) mod 2) = 1))
+        then
+        winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value or
+          winnerswinner1_of_four_0_0_value_2;
+      else
+        winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice and (winnerswinner1_of_four_0_0_value
+          or winnerswinner1_of_four_0_0_value_2);
+      end if;
       winnerswinner1_of_four_0_0_value_3 := ((winnerswinner1_of_pair_0_3 / 4) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_4 := ((winnerswinner1_of_pair_0_2 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_3 := (not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_3 or
-        winnerswinner1_of_four_0_0_value_4) when winnerswinner1_of_four_0_0_choice_2 else ((not
-        (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1))) or
-        winnerswinner1_of_four_0_0_value_3 or winnerswinner1_of_four_0_0_value_4;
+      if winnerswinner1_of_four_0_0_choice_2 then
+        winnerswinner1_of_four_0_0_choice_3 := (not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_3 or
+          winnerswinner1_of_four_0_0_value_4);
+      else
+        winnerswinner1_of_four_0_0_choice_3 := ((not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_3 or
+          winnerswinner1_of_four_0_0_value_4;
+      end if;
       winnerswinner1_of_four_0_0_value_5 := ((winnerswinner1_of_pair_0_3 / 8) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_6 := ((winnerswinner1_of_pair_0_2 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_4 := ((not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_5 or
-        winnerswinner1_of_four_0_0_value_6 when winnerswinner1_of_four_0_0_choice_3 else (not
-        (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_0_value_5 or winnerswinner1_of_four_0_0_value_6);
+      if winnerswinner1_of_four_0_0_choice_3 then
+        winnerswinner1_of_four_0_0_choice_4 := ((not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_5 or
+          winnerswinner1_of_four_0_0_value_6;
+      else
+        winnerswinner1_of_four_0_0_choice_4 := (not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_5 or
+          winnerswinner1_of_four_0_0_value_6);
+      end if;
       winnerswinner1_of_four_0_0_value_7 := ((winnerswinner1_of_pair_0_3 / 16) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_8 := ((winnerswinner1_of_pair_0_2 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_5 := ((not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_7 or
-        winnerswinner1_of_four_0_0_value_8 when winnerswinner1_of_four_0_0_choice_4 else (not
-        (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_0_value_7 or winnerswinner1_of_four_0_0_value_8);
+      if winnerswinner1_of_four_0_0_choice_4 then
+        winnerswinner1_of_four_0_0_choice_5 := ((not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_7 or
+          winnerswinner1_of_four_0_0_value_8;
+      else
+        winnerswinner1_of_four_0_0_choice_5 := (not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_7 or
+          winnerswinner1_of_four_0_0_value_8);
+      end if;
       winnerswinner1_of_four_0_0_value_9 := ((winnerswinner1_of_pair_0_3 / 32) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_10 := ((winnerswinner1_of_pair_0_2 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_6 := ((not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_9 or
-        winnerswinner1_of_four_0_0_value_10 when winnerswinner1_of_four_0_0_choice_5 else (not
-        (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_0_value_9 or winnerswinner1_of_four_0_0_value_10);
+      if winnerswinner1_of_four_0_0_choice_5 then
+        winnerswinner1_of_four_0_0_choice_6 := ((not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_9 or
+          winnerswinner1_of_four_0_0_value_10;
+      else
+        winnerswinner1_of_four_0_0_choice_6 := (not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_9 or
+          winnerswinner1_of_four_0_0_value_10);
+      end if;
       winnerswinner1_of_four_0_0_value_11 := ((winnerswinner1_of_pair_0_3 / 64) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_12 := ((winnerswinner1_of_pair_0_2 / 64) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_7 := ((not (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_11 or
-        winnerswinner1_of_four_0_0_value_12 when winnerswinner1_of_four_0_0_choice_6 else (not
-        (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_0_value_11 or winnerswinner1_of_four_0_0_value_12);
-      winnerswinner1_of_four_0_0_choice_8 := (not ((not ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not
-        ((winnerswinner1_of_pair_0_0 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not
-        ((winnerswinner1_of_pair_0_2 / 128) = 1)) when winnerswinner1_of_four_0_0_choice_7 else (not ((not
-        ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_0 / 128) = 1)))) or ((not
-        ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_2 / 128) = 1)));
-      winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_6 mod 2) = 1)) when (winnerswinner1_of_pair_0_5 mod 2) = 1 else
-        ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      if winnerswinner1_of_four_0_0_choice_6 then
+        winnerswinner1_of_four_0_0_choice_7 := ((not (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_11 or
+          winnerswinner1_of_four_0_0_value_12;
+      else
+        winnerswinner1_of_four_0_0_choice_7 := (not (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_11 or
+          winnerswinner1_of_four_0_0_value_12);
+      end if;
+      if winnerswinner1_of_four_0_0_choice_7 then
+        winnerswinner1_of_four_0_0_choice_8 := (not ((not ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_0 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_2 / 128) = 1));
+      else
+        winnerswinner1_of_four_0_0_choice_8 := (not ((not ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_0 / 128) = 1)))) or ((not ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_2 / 128) = 1)));
+      end if;
+      if (winnerswinner1_of_pair_0_5 mod 2) = 1 then
+        winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
+          ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      else
+        winnerswinner1_of_four_0_4_choice := ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not
+          ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      end if;
       winnerswinner1_of_four_0_4_value := ((winnerswinner1_of_pair_0_5 / 2) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_2 := ((winnerswinner1_of_pair_0_4 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value or
-        winnerswinner1_of_four_0_4_value_2 when (not (((winnerswinner1_of_pair_0_7 / 2) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_6 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_4_choice and
-        (winnerswinner1_of_four_0_4_value or winnerswinner1_of_four_0_4_value_2);
+      if (not (((winnerswinner1_of_pair_0_7 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_6 / 2) mod 2) = 1))
+        then
+        winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value or
+          winnerswinner1_of_four_0_4_value_2;
+      else
+        winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice and (winnerswinner1_of_four_0_4_value
+          or winnerswinner1_of_four_0_4_value_2);
+      end if;
       winnerswinner1_of_four_0_4_value_3 := ((winnerswinner1_of_pair_0_7 / 4) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_4 := ((winnerswinner1_of_pair_0_6 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_3 := (not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_3 or
-        winnerswinner1_of_four_0_4_value_4) when winnerswinner1_of_four_0_4_choice_2 else ((not
-        (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1))) or
-        winnerswinner1_of_four_0_4_value_3 or winnerswinner1_of_four_0_4_value_4;
+      if winnerswinner1_of_four_0_4_choice_2 then
+        winnerswinner1_of_four_0_4_choice_3 := (not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_3 or
+          winnerswinner1_of_four_0_4_value_4);
+      else
+        winnerswinner1_of_four_0_4_choice_3 := ((not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_3 or
+          winnerswinner1_of_four_0_4_value_4;
+      end if;
       winnerswinner1_of_four_0_4_value_5 := ((winnerswinner1_of_pair_0_7 / 8) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_6 := ((winnerswinner1_of_pair_0_6 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_4 := ((not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_5 or
-        winnerswinner1_of_four_0_4_value_6 when winnerswinner1_of_four_0_4_choice_3 else (not
-        (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_4_value_5 or winnerswinner1_of_four_0_4_value_6);
+      if winnerswinner1_of_four_0_4_choice_3 then
+        winnerswinner1_of_four_0_4_choice_4 := ((not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_5 or
+          winnerswinner1_of_four_0_4_value_6;
+      else
+        winnerswinner1_of_four_0_4_choice_4 := (not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_5 or
+          winnerswinner1_of_four_0_4_value_6);
+      end if;
       winnerswinner1_of_four_0_4_value_7 := ((winnerswinner1_of_pair_0_7 / 16) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_8 := ((winnerswinner1_of_pair_0_6 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_5 := ((not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_7 or
-        winnerswinner1_of_four_0_4_value_8 when winnerswinner1_of_four_0_4_choice_4 else (not
-        (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_4_value_7 or winnerswinner1_of_four_0_4_value_8);
+      if winnerswinner1_of_four_0_4_choice_4 then
+        winnerswinner1_of_four_0_4_choice_5 := ((not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_7 or
+          winnerswinner1_of_four_0_4_value_8;
+      else
+        winnerswinner1_of_four_0_4_choice_5 := (not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_7 or
+          winnerswinner1_of_four_0_4_value_8);
+      end if;
       winnerswinner1_of_four_0_4_value_9 := ((winnerswinner1_of_pair_0_7 / 32) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_10 := ((winnerswinner1_of_pair_0_6 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_6 := ((not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_9 or
-        winnerswinner1_of_four_0_4_value_10 when winnerswinner1_of_four_0_4_choice_5 else (not
-        (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_4_value_9 or winnerswinner1_of_four_0_4_value_10);
+      if winnerswinner1_of_four_0_4_choice_5 then
+        winnerswinner1_of_four_0_4_choice_6 := ((not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_9 or
+          winnerswinner1_of_four_0_4_value_10;
+      else
+        winnerswinner1_of_four_0_4_choice_6 := (not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_9 or
+          winnerswinner1_of_four_0_4_value_10);
+      end if;
       winnerswinner1_of_four_0_4_value_11 := ((winnerswinner1_of_pair_0_7 / 64) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_12 := ((winnerswinner1_of_pair_0_6 / 64) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_7 := ((not (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_11 or
-        winnerswinner1_of_four_0_4_value_12 when winnerswinner1_of_four_0_4_choice_6 else (not
-        (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_4_value_11 or winnerswinner1_of_four_0_4_value_12);
-      winnerswinner1_of_four_0_4_choice_8 := (not ((not ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not
-        ((winnerswinner1_of_pair_0_4 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not
-        ((winnerswinner1_of_pair_0_6 / 128) = 1)) when winnerswinner1_of_four_0_4_choice_7 else (not ((not
-        ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_4 / 128) = 1)))) or ((not
-        ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_6 / 128) = 1)));
-      winnerswinner1_of_four_0_8_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 mod 2) = 1)) when (winnerswinner1_of_pair_0_9 mod 2) = 1 else
-        ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      if winnerswinner1_of_four_0_4_choice_6 then
+        winnerswinner1_of_four_0_4_choice_7 := ((not (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_11 or
+          winnerswinner1_of_four_0_4_value_12;
+      else
+        winnerswinner1_of_four_0_4_choice_7 := (not (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_11 or
+          winnerswinner1_of_four_0_4_value_12);
+      end if;
+      if winnerswinner1_of_four_0_4_choice_7 then
+        winnerswinner1_of_four_0_4_choice_8 := (not ((not ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_4 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_6 / 128) = 1));
+      else
+        winnerswinner1_of_four_0_4_choice_8 := (not ((not ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_4 / 128) = 1)))) or ((not ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_6 / 128) = 1)));
+      end if;
+      if (winnerswinner1_of_pair_0_9 mod 2) = 1 then
+        winnerswinner1_of_four_0_8_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
+          ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      else
+        winnerswinner1_of_four_0_8_choice := ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not
+          ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      end if;
       winnerswinner1_of_four_0_8_value := ((winnerswinner1_of_pair_0_9 / 2) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_2 := ((winnerswinner1_of_pair_0_8 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value or
-        winnerswinner1_of_four_0_8_value_2 when (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_10 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_8_choice and
-        (winnerswinner1_of_four_0_8_value or winnerswinner1_of_four_0_8_value_2);
+      if (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_10 / 2) mod 2) =
+        1)) then
+        winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value or
+          winnerswinner1_of_four_0_8_value_2;
+      else
+        winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice and (winnerswinner1_of_four_0_8_value
+          or winnerswinner1_of_four_0_8_value_2);
+      end if;
       winnerswinner1_of_four_0_8_value_3 := ((winnerswinner1_of_pair_0_11 / 4) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_4 := ((winnerswinner1_of_pair_0_10 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_3 or
-        winnerswinner1_of_four_0_8_value_4) when winnerswinner1_of_four_0_8_choice_2 else ((not
-        (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or
-        winnerswinner1_of_four_0_8_value_3 or winnerswinner1_of_four_0_8_value_4;
+      if winnerswinner1_of_four_0_8_choice_2 then
+        winnerswinner1_of_four_0_8_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_3 or
+          winnerswinner1_of_four_0_8_value_4);
+      else
+        winnerswinner1_of_four_0_8_choice_3 := ((not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_3 or
+          winnerswinner1_of_four_0_8_value_4;
+      end if;
       winnerswinner1_of_four_0_8_value_5 := ((winnerswinner1_of_pair_0_11 / 8) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_6 := ((winnerswinner1_of_pair_0_10 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_5 or
-        winnerswinner1_of_four_0_8_value_6 when winnerswinner1_of_four_0_8_choice_3 else (not
-        (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_5 or winnerswinner1_of_four_0_8_value_6);
+      if winnerswinner1_of_four_0_8_choice_3 then
+        winnerswinner1_of_four_0_8_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_5 or
+          winnerswinner1_of_four_0_8_value_6;
+      else
+        winnerswinner1_of_four_0_8_choice_4 := (not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_5 or
+          winnerswinner1_of_four_0_8_value_6);
+      end if;
       winnerswinner1_of_four_0_8_value_7 := ((winnerswinner1_of_pair_0_11 / 16) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_8 := ((winnerswinner1_of_pair_0_10 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_7 or
-        winnerswinner1_of_four_0_8_value_8 when winnerswinner1_of_four_0_8_choice_4 else (not
-        (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_7 or winnerswinner1_of_four_0_8_value_8);
+      if winnerswinner1_of_four_0_8_choice_4 then
+        winnerswinner1_of_four_0_8_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_7 or
+          winnerswinner1_of_four_0_8_value_8;
+      else
+        winnerswinner1_of_four_0_8_choice_5 := (not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_7 or
+          winnerswinner1_of_four_0_8_value_8);
+      end if;
       winnerswinner1_of_four_0_8_value_9 := ((winnerswinner1_of_pair_0_11 / 32) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_10 := ((winnerswinner1_of_pair_0_10 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_6 := ((not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_9 or
-        winnerswinner1_of_four_0_8_value_10 when winnerswinner1_of_four_0_8_choice_5 else (not
-        (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_9 or winnerswinner1_of_four_0_8_value_10);
+      if winnerswinner1_of_four_0_8_choice_5 then
+        winnerswinner1_of_four_0_8_choice_6 := ((not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_9 or
+          winnerswinner1_of_four_0_8_value_10;
+      else
+        winnerswinner1_of_four_0_8_choice_6 := (not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_9 or
+          winnerswinner1_of_four_0_8_value_10);
+      end if;
       winnerswinner1_of_four_0_8_value_11 := ((winnerswinner1_of_pair_0_11 / 64) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_12 := ((winnerswinner1_of_pair_0_10 / 64) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_7 := ((not (((winnerswinner1_of_pair_0_9 / 64) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_11 or
-        winnerswinner1_of_four_0_8_value_12 when winnerswinner1_of_four_0_8_choice_6 else (not
-        (((winnerswinner1_of_pair_0_9 / 64) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 64) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_11 or winnerswinner1_of_four_0_8_value_12);
-      winnerswinner1_of_four_0_8_choice_8 := (not ((not ((winnerswinner1_of_pair_0_9 / 128) = 1)) and (not
-        ((winnerswinner1_of_pair_0_8 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 128) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 / 128) = 1)) when winnerswinner1_of_four_0_8_choice_7 else (not ((not
-        ((winnerswinner1_of_pair_0_9 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_8 / 128) = 1)))) or ((not
-        ((winnerswinner1_of_pair_0_11 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_10 / 128) = 1)));
-      winnerswinner1_of_pair_0_0 <= 0 when winnerswinner1_of_pair_0_0_choice_8 else sums_sum_0_0;
-      winnerswinner1_of_pair_0_1 <= sums_sum_0_1 when winnerswinner1_of_pair_0_0_choice_8 else 0;
-      winnerswinner1_of_pair_0_2 <= 0 when winnerswinner1_of_pair_0_2_choice_8 else sums_sum_0_2;
-      winnerswinner1_of_pair_0_3 <= sums_sum_0_3 when winnerswinner1_of_pair_0_2_choice_8 else 0;
-      winnerswinner1_of_pair_0_4 <= 0 when winnerswinner1_of_pair_0_4_choice_8 else sums_sum_0_4;
-      winnerswinner1_of_pair_0_5 <= sums_sum_0_5 when winnerswinner1_of_pair_0_4_choice_8 else 0;
-      winnerswinner1_of_pair_0_6 <= 0 when winnerswinner1_of_pair_0_6_choice_8 else sums_sum_0_6;
-      winnerswinner1_of_pair_0_7 <= sums_sum_0_7 when winnerswinner1_of_pair_0_6_choice_8 else 0;
-      winnerswinner1_of_pair_0_8 <= 0 when winnerswinner1_of_pair_0_8_choice_8 else sums_sum_0_8;
-      winnerswinner1_of_pair_0_9 <= sums_sum_0_9 when winnerswinner1_of_pair_0_8_choice_8 else 0;
-      winnerswinner1_of_pair_0_10 <= 0 when winnerswinner1_of_pair_0_10_choice_8 else sums_sum_0_10;
-      winnerswinner1_of_pair_0_11 <= sums_sum_0_11 when winnerswinner1_of_pair_0_10_choice_8 else 0;
+      if winnerswinner1_of_four_0_8_choice_6 then
+        winnerswinner1_of_four_0_8_choice_7 := ((not (((winnerswinner1_of_pair_0_9 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_11 or
+          winnerswinner1_of_four_0_8_value_12;
+      else
+        winnerswinner1_of_four_0_8_choice_7 := (not (((winnerswinner1_of_pair_0_9 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 64) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_11 or
+          winnerswinner1_of_four_0_8_value_12);
+      end if;
+      if winnerswinner1_of_four_0_8_choice_7 then
+        winnerswinner1_of_four_0_8_choice_8 := (not ((not ((winnerswinner1_of_pair_0_9 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_8 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_10 / 128) = 1));
+      else
+        winnerswinner1_of_four_0_8_choice_8 := (not ((not ((winnerswinner1_of_pair_0_9 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_8 / 128) = 1)))) or ((not ((winnerswinner1_of_pair_0_11 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_10 / 128) = 1)));
+      end if;
       winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_0_choice_8;
-      winnerswinner1_pair_index_0_1 <= 3 when winnerswinner1_of_pair_0_2_choice_8 else 2;
-      winnerswinner1_pair_index_0_2 <= 5 when winnerswinner1_of_pair_0_4_choice_8 else 4;
-      winnerswinner1_pair_index_0_3 <= 7 when winnerswinner1_of_pair_0_6_choice_8 else 6;
-      winnerswinner1_pair_index_0_4 <= 9 when winnerswinner1_of_pair_0_8_choice_8 else 8;
-      winnerswinner1_pair_index_0_5 <= 11 when winnerswinner1_of_pair_0_10_choice_8 else 10;
       winnerswinner1_pair_tag_valid <= sums_tag_valid;
       winnerswinner1_pair_tag_map_column <= sums_tag_map_column;
       winnerswinner1_pair_tag_output_column <= sums_tag_output_column;
       winnerswinner1_pair_tag_start_of_frame <= sums_tag_start_of_frame;
       winnerswinner1_pair_tag_end_of_line <= sums_tag_end_of_line;
-      winnerswinner1_of_four_0_0 <= 0 when winnerswinner1_of_four_0_0_choice_8 else winnerswinner1_of_pair_0_0;
-      winnerswinner1_of_four_0_1 <= 0 when winnerswinner1_of_four_0_0_choice_8 else winnerswinner1_of_pair_0_1;
-      winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2 when winnerswinner1_of_four_0_0_choice_8 else 0;
-      winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3 when winnerswinner1_of_four_0_0_choice_8 else 0;
-      winnerswinner1_of_four_0_4 <= 0 when winnerswinner1_of_four_0_4_choice_8 else winnerswinner1_of_pair_0_4;
-      winnerswinner1_of_four_0_5 <= 0 when winnerswinner1_of_four_0_4_choice_8 else winnerswinner1_of_pair_0_5;
-      winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6 when winnerswinner1_of_four_0_4_choice_8 else 0;
-      winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7 when winnerswinner1_of_four_0_4_choice_8 else 0;
-      winnerswinner1_of_four_0_8 <= 0 when winnerswinner1_of_four_0_8_choice_8 else winnerswinner1_of_pair_0_8;
-      winnerswinner1_of_four_0_9 <= 0 when winnerswinner1_of_four_0_8_choice_8 else winnerswinner1_of_pair_0_9;
-      winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10 when winnerswinner1_of_four_0_8_choice_8 else 0;
-      winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_11 when winnerswinner1_of_four_0_8_choice_8 else 0;
-      winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1 when winnerswinner1_of_four_0_0_choice_8 else
-        as_number(winnerswinner1_pair_index_0_0);
-      winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3 when winnerswinner1_of_four_0_4_choice_8 else
-        winnerswinner1_pair_index_0_2;
-      winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5 when winnerswinner1_of_four_0_8_choice_8 else
-        winnerswinner1_pair_index_0_4;
       winnerswinner1_four_tag_valid <= winnerswinner1_pair_tag_valid;
       winnerswinner1_four_tag_map_column <= winnerswinner1_pair_tag_map_column;
       winnerswinner1_four_tag_output_column <= winnerswinner1_pair_tag_output_column;
@@ -11198,89 +16083,226 @@ begin
       winnerswinner1_tag_output_column <= winnerswinner1_four_tag_output_column;
       winnerswinner1_tag_start_of_frame <= winnerswinner1_four_tag_start_of_frame;
       winnerswinner1_tag_end_of_line <= winnerswinner1_four_tag_end_of_line;
+      if winnerswinner1_of_pair_0_0_choice_8 then
+        winnerswinner1_of_pair_0_0 <= 0;
+        winnerswinner1_of_pair_0_1 <= sums_sum_0_1;
+      else
+        winnerswinner1_of_pair_0_0 <= sums_sum_0_0;
+        winnerswinner1_of_pair_0_1 <= 0;
+      end if;
+      if winnerswinner1_of_pair_0_2_choice_8 then
+        winnerswinner1_of_pair_0_2 <= 0;
+        winnerswinner1_of_pair_0_3 <= sums_sum_0_3;
+        winnerswinner1_pair_index_0_1 <= 3;
+      else
+        winnerswinner1_of_pair_0_2 <= sums_sum_0_2;
+        winnerswinner1_of_pair_0_3 <= 0;
+        winnerswinner1_pair_index_0_1 <= 2;
+      end if;
+      if winnerswinner1_of_pair_0_4_choice_8 then
+        winnerswinner1_of_pair_0_4 <= 0;
+        winnerswinner1_of_pair_0_5 <= sums_sum_0_5;
+        winnerswinner1_pair_index_0_2 <= 5;
+      else
+        winnerswinner1_of_pair_0_4 <= sums_sum_0_4;
+        winnerswinner1_of_pair_0_5 <= 0;
+        winnerswinner1_pair_index_0_2 <= 4;
+      end if;
+      if winnerswinner1_of_pair_0_6_choice_8 then
+        winnerswinner1_of_pair_0_6 <= 0;
+        winnerswinner1_of_pair_0_7 <= sums_sum_0_7;
+        winnerswinner1_pair_index_0_3 <= 7;
+      else
+        winnerswinner1_of_pair_0_6 <= sums_sum_0_6;
+        winnerswinner1_of_pair_0_7 <= 0;
+        winnerswinner1_pair_index_0_3 <= 6;
+      end if;
+      if winnerswinner1_of_pair_0_8_choice_8 then
+        winnerswinner1_of_pair_0_8 <= 0;
+        winnerswinner1_of_pair_0_9 <= sums_sum_0_9;
+        winnerswinner1_pair_index_0_4 <= 9;
+      else
+        winnerswinner1_of_pair_0_8 <= sums_sum_0_8;
+        winnerswinner1_of_pair_0_9 <= 0;
+        winnerswinner1_pair_index_0_4 <= 8;
+      end if;
+      if winnerswinner1_of_pair_0_10_choice_8 then
+        winnerswinner1_of_pair_0_10 <= 0;
+        winnerswinner1_of_pair_0_11 <= sums_sum_0_11;
+        winnerswinner1_pair_index_0_5 <= 11;
+      else
+        winnerswinner1_of_pair_0_10 <= sums_sum_0_10;
+        winnerswinner1_of_pair_0_11 <= 0;
+        winnerswinner1_pair_index_0_5 <= 10;
+      end if;
+      if winnerswinner1_of_four_0_0_choice_8 then
+        winnerswinner1_of_four_0_0 <= 0;
+        winnerswinner1_of_four_0_1 <= 0;
+        winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2;
+        winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3;
+        winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1;
+      else
+        winnerswinner1_of_four_0_0 <= winnerswinner1_of_pair_0_0;
+        winnerswinner1_of_four_0_1 <= winnerswinner1_of_pair_0_1;
+        winnerswinner1_of_four_0_2 <= 0;
+        winnerswinner1_of_four_0_3 <= 0;
+        winnerswinner1_four_index_0_0 <= as_number(winnerswinner1_pair_index_0_0);
+      end if;
+      if winnerswinner1_of_four_0_4_choice_8 then
+        winnerswinner1_of_four_0_4 <= 0;
+        winnerswinner1_of_four_0_5 <= 0;
+        winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6;
+        winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7;
+        winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3;
+      else
+        winnerswinner1_of_four_0_4 <= winnerswinner1_of_pair_0_4;
+        winnerswinner1_of_four_0_5 <= winnerswinner1_of_pair_0_5;
+        winnerswinner1_of_four_0_6 <= 0;
+        winnerswinner1_of_four_0_7 <= 0;
+        winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_2;
+      end if;
+      if winnerswinner1_of_four_0_8_choice_8 then
+        winnerswinner1_of_four_0_8 <= 0;
+        winnerswinner1_of_four_0_9 <= 0;
+        winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10;
+        winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_11;
+        winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5;
+      else
+        winnerswinner1_of_four_0_8 <= winnerswinner1_of_pair_0_8;
+        winnerswinner1_of_four_0_9 <= winnerswinner1_of_pair_0_9;
+        winnerswinner1_of_four_0_10 <= 0;
+        winnerswinner1_of_four_0_11 <= 0;
+        winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_4;
+      end if;
       -- winnerswinner2
-      winnerswinner2_of_pair_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
-        ((winnerswinner1_best_cost_0_1 mod 2) = 1)) when (winnerswinner1_best_cost_0_0 mod 2) = 1 else not
-        (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner2_of_pair_0_0_choice_2 := winnerswinner2_of_pair_0_0_choice when ((winnerswinner1_best_cost_0_0 / 2)
-        mod 2) = 1 else ((winnerswinner1_best_cost_0_0 mod 2) = 1) and ((winnerswinner1_best_cost_0_1 mod 4) = 0);
+      if (winnerswinner1_best_cost_0_0 mod 2) = 1 then
+        winnerswinner2_of_pair_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
+          ((winnerswinner1_best_cost_0_1 mod 2) = 1));
+      else
+        winnerswinner2_of_pair_0_0_choice := not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1);
+      end if;
+      if ((winnerswinner1_best_cost_0_0 / 2) mod 2) = 1 then
+        winnerswinner2_of_pair_0_0_choice_2 := winnerswinner2_of_pair_0_0_choice;
+      else
+        winnerswinner2_of_pair_0_0_choice_2 := ((winnerswinner1_best_cost_0_0 mod 2) = 1) and
+          ((winnerswinner1_best_cost_0_1 mod 4) = 0);
+      end if;
       winnerswinner2_of_pair_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner2_of_pair_0_0_value when winnerswinner2_of_pair_0_0_choice_2 else (not
-        (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner2_of_pair_0_0_value;
+      if winnerswinner2_of_pair_0_0_choice_2 then
+        winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value;
+      else
+        winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value;
+      end if;
       winnerswinner2_of_pair_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner2_of_pair_0_0_value_2 when winnerswinner2_of_pair_0_0_choice_3 else (not
-        (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_2;
+      if winnerswinner2_of_pair_0_0_choice_3 then
+        winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value_2;
+      else
+        winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value_2;
+      end if;
       winnerswinner2_of_pair_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner2_of_pair_0_0_value_3 when winnerswinner2_of_pair_0_0_choice_4 else (not
-        (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_3;
+      if winnerswinner2_of_pair_0_0_choice_4 then
+        winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value_3;
+      else
+        winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value_3;
+      end if;
       winnerswinner2_of_pair_0_0_value_4 := ((winnerswinner1_best_cost_0_1 / 32) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
-        winnerswinner2_of_pair_0_0_value_4 when winnerswinner2_of_pair_0_0_choice_5 else (not
-        (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_4;
+      if winnerswinner2_of_pair_0_0_choice_5 then
+        winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value_4;
+      else
+        winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value_4;
+      end if;
       winnerswinner2_of_pair_0_0_value_5 := ((winnerswinner1_best_cost_0_1 / 64) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) or
-        winnerswinner2_of_pair_0_0_value_5 when winnerswinner2_of_pair_0_0_choice_6 else (not
-        (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_5;
-      winnerswinner2_of_pair_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) and (not
-        ((winnerswinner1_best_cost_0_1 / 128) = 1)) when winnerswinner2_of_pair_0_0_choice_7 else
-        ((winnerswinner1_best_cost_0_0 / 128) = 1) or (not ((winnerswinner1_best_cost_0_1 / 128) = 1));
+      if winnerswinner2_of_pair_0_0_choice_6 then
+        winnerswinner2_of_pair_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value_5;
+      else
+        winnerswinner2_of_pair_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value_5;
+      end if;
+      if winnerswinner2_of_pair_0_0_choice_7 then
+        winnerswinner2_of_pair_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) and (not
+          ((winnerswinner1_best_cost_0_1 / 128) = 1));
+      else
+        winnerswinner2_of_pair_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) or (not
+          ((winnerswinner1_best_cost_0_1 / 128) = 1));
+      end if;
       winnerswinner2_four_index_0_0_value := ((winnerswinner2_of_pair_0_1 / 2) mod 2) = 1;
       winnerswinner2_four_index_0_0_value_2 := ((winnerswinner2_of_pair_0_0 / 2) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) or
-        winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2 when (not
-        ((winnerswinner2_of_pair_0_2 mod 2) = 1)) and (((winnerswinner2_of_pair_0_1 mod 2) = 1) or
-        ((winnerswinner2_of_pair_0_0 mod 2) = 1)) else (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) and
-        (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2);
+      if (not ((winnerswinner2_of_pair_0_2 mod 2) = 1)) and (((winnerswinner2_of_pair_0_1 mod 2) = 1) or
+        ((winnerswinner2_of_pair_0_0 mod 2) = 1)) then
+        winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2;
+      else
+        winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2);
+      end if;
       winnerswinner2_four_index_0_0_value_3 := ((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1;
       winnerswinner2_four_index_0_0_value_4 := ((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_2 := (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) or
-        winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4 when
-        winnerswinner2_four_index_0_0_choice else (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) and
-        (winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4);
+      if winnerswinner2_four_index_0_0_choice then
+        winnerswinner2_four_index_0_0_choice_2 := (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4;
+      else
+        winnerswinner2_four_index_0_0_choice_2 := (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4);
+      end if;
       winnerswinner2_four_index_0_0_value_5 := ((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1;
       winnerswinner2_four_index_0_0_value_6 := ((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_3 := (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) or
-        winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6 when
-        winnerswinner2_four_index_0_0_choice_2 else (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) and
-        (winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6);
+      if winnerswinner2_four_index_0_0_choice_2 then
+        winnerswinner2_four_index_0_0_choice_3 := (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6;
+      else
+        winnerswinner2_four_index_0_0_choice_3 := (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6);
+      end if;
       winnerswinner2_four_index_0_0_value_7 := ((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1;
       winnerswinner2_four_index_0_0_value_8 := ((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_4 := (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) or
-        winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8 when
-        winnerswinner2_four_index_0_0_choice_3 else (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) and
-        (winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8);
+      if winnerswinner2_four_index_0_0_choice_3 then
+        winnerswinner2_four_index_0_0_choice_4 := (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8;
+      else
+        winnerswinner2_four_index_0_0_choice_4 := (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8);
+      end if;
       winnerswinner2_four_index_0_0_value_9 := ((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1;
       winnerswinner2_four_index_0_0_value_10 := ((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_5 := (not (((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1)) or
-        winnerswinner2_four_index_0_0_value_9 or winnerswinner2_four_index_0_0_value_10 when
-        winnerswinner2_four_index_0_0_choice_4 else (not (((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1)) and
-        (winnerswinner2_four_index_0_0_value_9 or winnerswinner2_four_index_0_0_value_10);
+      if winnerswinner2_four_index_0_0_choice_4 then
+        winnerswinner2_four_index_0_0_choice_5 := (not (((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value_9 or winnerswinner2_four_index_0_0_value_10;
+      else
+        winnerswinner2_four_index_0_0_choice_5 := (not (((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value_9 or winnerswinner2_four_index_0_0_value_10);
+      end if;
       winnerswinner2_four_index_0_0_value_11 := ((winnerswinner2_of_pair_0_1 / 64) mod 2) = 1;
       winnerswinner2_four_index_0_0_value_12 := ((winnerswinner2_of_pair_0_0 / 64) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_6 := (not (((winnerswinner2_of_pair_0_2 / 64) mod 2) = 1)) or
-        winnerswinner2_four_index_0_0_value_11 or winnerswinner2_four_index_0_0_value_12 when
-        winnerswinner2_four_index_0_0_choice_5 else (not (((winnerswinner2_of_pair_0_2 / 64) mod 2) = 1)) and
-        (winnerswinner2_four_index_0_0_value_11 or winnerswinner2_four_index_0_0_value_12);
-      winnerswinner2_four_index_0_0_choice_7 := (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) or
-        ((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1) when
-        winnerswinner2_four_index_0_0_choice_6 else (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) and
-        (((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1));
-      winnerswinner2_of_pair_0_0 <= 0 when winnerswinner2_of_pair_0_0_choice_8 else winnerswinner1_best_cost_0_0;
-      winnerswinner2_of_pair_0_1 <= winnerswinner1_best_cost_0_1 when winnerswinner2_of_pair_0_0_choice_8 else 0;
+      if winnerswinner2_four_index_0_0_choice_5 then
+        winnerswinner2_four_index_0_0_choice_6 := (not (((winnerswinner2_of_pair_0_2 / 64) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value_11 or winnerswinner2_four_index_0_0_value_12;
+      else
+        winnerswinner2_four_index_0_0_choice_6 := (not (((winnerswinner2_of_pair_0_2 / 64) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value_11 or winnerswinner2_four_index_0_0_value_12);
+      end if;
+      if winnerswinner2_four_index_0_0_choice_6 then
+        winnerswinner2_four_index_0_0_choice_7 := (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) or
+          ((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1);
+      else
+        winnerswinner2_four_index_0_0_choice_7 := (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) and
+          (((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1));
+      end if;
       winnerswinner2_of_pair_0_2 <= winnerswinner1_best_cost_0_2;
-      winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_of_pair_0_0_choice_8 else
-        winnerswinner1_best_index_0_0;
       winnerswinner2_pair_index_0_1 <= winnerswinner1_best_index_0_2;
       winnerswinner2_pair_tag_valid <= winnerswinner1_tag_valid;
       winnerswinner2_pair_tag_map_column <= winnerswinner1_tag_map_column;
       winnerswinner2_pair_tag_output_column <= winnerswinner1_tag_output_column;
       winnerswinner2_pair_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
       winnerswinner2_pair_tag_end_of_line <= winnerswinner1_tag_end_of_line;
-      winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_1 when winnerswinner2_four_index_0_0_choice_7 else
-        winnerswinner2_pair_index_0_0;
       winnerswinner2_four_tag_valid <= winnerswinner2_pair_tag_valid;
       winnerswinner2_four_tag_map_column <= winnerswinner2_pair_tag_map_column;
       winnerswinner2_four_tag_output_column <= winnerswinner2_pair_tag_output_column;
@@ -11292,6 +16314,20 @@ begin
       winnerswinner2_tag_output_column <= winnerswinner2_four_tag_output_column;
       winnerswinner2_tag_start_of_frame <= winnerswinner2_four_tag_start_of_frame;
       winnerswinner2_tag_end_of_line <= winnerswinner2_four_tag_end_of_line;
+      if winnerswinner2_of_pair_0_0_choice_8 then
+        winnerswinner2_of_pair_0_0 <= 0;
+        winnerswinner2_of_pair_0_1 <= winnerswinner1_best_cost_0_1;
+        winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_1;
+      else
+        winnerswinner2_of_pair_0_0 <= winnerswinner1_best_cost_0_0;
+        winnerswinner2_of_pair_0_1 <= 0;
+        winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_0;
+      end if;
+      if winnerswinner2_four_index_0_0_choice_7 then
+        winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_1;
+      else
+        winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_0;
+      end if;
       -- winners
       winners_best_index_0_0 <= winnerswinner2_best_index_0_0;
       winners_best_tag_valid <= winnerswinner2_tag_valid;
@@ -11301,20 +16337,31 @@ begin
       winners_best_tag_end_of_line <= winnerswinner2_tag_end_of_line;
       -- turn
       turn_order_address_any := turn_order_inside or (not winners_best_tag_map_column) or (not winners_best_tag_valid);
-      turn_order_address_choice := 31 when turn_order_falls else 1;
-      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      if turn_order_falls then
+        turn_order_address_choice := 31;
+      else
+        turn_order_address_choice := 1;
+      end if;
+      if turn_order_falls then
+        turn_order_address_choice_2 := 0;
+      else
+        turn_order_address_choice_2 := 7;
+      end if;
       turn_order_address_any_2 := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
       if not turn_order_address_any_2 then
-        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
-          turn_order_address_choice_2 * 4;
+        if turn_order_address_any then
+          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32;
+        else
+          turn_order_address <= turn_order_address_choice_2 * 4;
+        end if;
       end if;
       turn_order_falls_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
       turn_order_complete_all := winners_best_tag_map_column and winners_best_tag_valid;
-      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
-        else turn_order_held_output;
-      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
-      turn_order_complete <= turn_order_complete or turn_order_complete_all when winners_best_tag_end_of_line else
-        turn_order_complete and turn_order_address_any_2;
+      if turn_order_falls_all then
+        turn_order_turned_output_column_choice := turn_order_output and turn_order_complete;
+      else
+        turn_order_turned_output_column_choice := turn_order_held_output;
+      end if;
       turn_order_turned_valid <= winners_best_tag_valid;
       turn_order_turned_output_column <= turn_order_turned_output_column_choice and winners_best_tag_map_column;
       turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag_map_column and
@@ -11331,6 +16378,16 @@ begin
       turn_ready_tag_output_column <= turn_read_tag_output_column;
       turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
       turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
+      if turn_order_falls then
+        turn_order_falls <= turn_order_address_any;
+      else
+        turn_order_falls <= turn_order_falls_all;
+      end if;
+      if winners_best_tag_end_of_line then
+        turn_order_complete <= turn_order_complete or turn_order_complete_all;
+      else
+        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
+      end if;
       if winners_best_tag_valid then
         turn_order_inside <= winners_best_tag_map_column;
       end if;

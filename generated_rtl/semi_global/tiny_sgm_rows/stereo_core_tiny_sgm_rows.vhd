@@ -600,179 +600,287 @@ architecture rtl of stereo_core_tiny_sgm_rows is
   signal turn_newest, turn_write_words_0 : natural range 0 to 267;
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal turn_read_words_0_memory_read_enable : boolean;
+  signal turn_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal turn_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal sums_sum_delay_held_2_memory_read_enable : boolean;
+  signal sums_sum_delay_held_2_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_2_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(11 downto 0);
+  signal sums_sum_delay_held_1_memory_read_enable : boolean;
+  signal sums_sum_delay_held_1_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_1_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(29 downto 0);
+  signal sums_sum_delay_held_0_memory_read_enable : boolean;
+  signal sums_sum_delay_held_0_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_0_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(29 downto 0);
+  signal sums_turn_read_sums_2_memory_read_enable : boolean;
+  signal sums_turn_read_sums_2_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_2_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_2_memory_write_data : unsigned(11 downto 0);
+  signal sums_turn_read_sums_1_memory_read_enable : boolean;
+  signal sums_turn_read_sums_1_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_1_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_1_memory_write_data : unsigned(29 downto 0);
+  signal sums_turn_read_sums_0_memory_read_enable : boolean;
+  signal sums_turn_read_sums_0_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_0_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_0_memory_write_data : unsigned(29 downto 0);
+  signal sums_turn_read_costs_1_memory_read_enable : boolean;
+  signal sums_turn_read_costs_1_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_costs_1_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_costs_1_memory_write_data : unsigned(15 downto 0);
+  signal sums_turn_read_costs_0_memory_read_enable : boolean;
+  signal sums_turn_read_costs_0_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_costs_0_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_costs_0_memory_write_data : unsigned(31 downto 0);
+  signal sums_turn_read_smallest_0_memory_read_enable : boolean;
+  signal sums_turn_read_smallest_0_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_smallest_0_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_smallest_0_memory_write_data : unsigned(3 downto 0);
+  signal forward_cost_delay_held_1_memory_read_enable : boolean;
+  signal forward_cost_delay_held_1_memory_read_address : unsigned(2 downto 0);
+  signal forward_cost_delay_held_1_memory_write_address : unsigned(2 downto 0);
   signal forward_cost_delay_held_1_memory_write_data : unsigned(15 downto 0);
+  signal forward_cost_delay_held_0_memory_read_enable : boolean;
+  signal forward_cost_delay_held_0_memory_read_address : unsigned(2 downto 0);
+  signal forward_cost_delay_held_0_memory_write_address : unsigned(2 downto 0);
   signal forward_cost_delay_held_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned((turn_ready mod 16), 8));
   pixel_valid <= std_logic_vector(to_unsigned((turn_ready / 256), 1));
   disparity_valid <= as_bit(turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
+  turn_read_words_0_memory_read_enable <= true;
+  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 5);
+  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 5);
   turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
   turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9)
+    generic map (depth => 29, width => 9, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
+      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
+      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
 
+  sums_sum_delay_held_2_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_2_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_2_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 12);
   sums_sum_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 4, width => 12)
+    generic map (depth => 4, width => 12, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_2,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_2_memory_read_enable,
+      read_address => sums_sum_delay_held_2_memory_read_address, read_data => sums_sum_delay_held_2,
+      write_address => sums_sum_delay_held_2_memory_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
 
+  sums_sum_delay_held_1_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_1_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_1_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_1_memory_write_data <= to_unsigned(sums_turn_ready_sums_1, 30);
   sums_sum_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 4, width => 30)
+    generic map (depth => 4, width => 30, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_1,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_1_memory_read_enable,
+      read_address => sums_sum_delay_held_1_memory_read_address, read_data => sums_sum_delay_held_1,
+      write_address => sums_sum_delay_held_1_memory_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
 
+  sums_sum_delay_held_0_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_0_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_0_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_0_memory_write_data <= to_unsigned(sums_turn_ready_sums_0, 30);
   sums_sum_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 4, width => 30)
+    generic map (depth => 4, width => 30, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_0,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_0_memory_read_enable,
+      read_address => sums_sum_delay_held_0_memory_read_address, read_data => sums_sum_delay_held_0,
+      write_address => sums_sum_delay_held_0_memory_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
 
+  sums_turn_read_sums_2_memory_read_enable <= true;
+  sums_turn_read_sums_2_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_sums_2_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_sums_2_memory_write_data <= to_unsigned(sums_turn_write_sums_2, 12);
   sums_turn_read_sums_2_memory : entity work.line_memory
-    generic map (depth => 29, width => 12)
+    generic map (depth => 29, width => 12, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_sums_2,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_2_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_2_memory_read_enable,
+      read_address => sums_turn_read_sums_2_memory_read_address, read_data => sums_turn_read_sums_2,
+      write_address => sums_turn_read_sums_2_memory_write_address, write_data => sums_turn_read_sums_2_memory_write_data);
 
+  sums_turn_read_sums_1_memory_read_enable <= true;
+  sums_turn_read_sums_1_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_sums_1_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_sums_1_memory_write_data <= to_unsigned(sums_turn_write_sums_1, 30);
   sums_turn_read_sums_1_memory : entity work.line_memory
-    generic map (depth => 29, width => 30)
+    generic map (depth => 29, width => 30, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_sums_1,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_1_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_1_memory_read_enable,
+      read_address => sums_turn_read_sums_1_memory_read_address, read_data => sums_turn_read_sums_1,
+      write_address => sums_turn_read_sums_1_memory_write_address, write_data => sums_turn_read_sums_1_memory_write_data);
 
+  sums_turn_read_sums_0_memory_read_enable <= true;
+  sums_turn_read_sums_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_sums_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_sums_0_memory_write_data <= to_unsigned(sums_turn_write_sums_0, 30);
   sums_turn_read_sums_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 30)
+    generic map (depth => 29, width => 30, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_sums_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_0_memory_read_enable,
+      read_address => sums_turn_read_sums_0_memory_read_address, read_data => sums_turn_read_sums_0,
+      write_address => sums_turn_read_sums_0_memory_write_address, write_data => sums_turn_read_sums_0_memory_write_data);
 
+  sums_turn_read_costs_1_memory_read_enable <= true;
+  sums_turn_read_costs_1_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_costs_1_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_costs_1_memory_write_data <= to_unsigned(sums_turn_write_costs_1, 16);
   sums_turn_read_costs_1_memory : entity work.line_memory
-    generic map (depth => 29, width => 16)
+    generic map (depth => 29, width => 16, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_costs_1,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_1_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_costs_1_memory_read_enable,
+      read_address => sums_turn_read_costs_1_memory_read_address, read_data => sums_turn_read_costs_1,
+      write_address => sums_turn_read_costs_1_memory_write_address, write_data => sums_turn_read_costs_1_memory_write_data);
 
+  sums_turn_read_costs_0_memory_read_enable <= true;
+  sums_turn_read_costs_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_costs_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_costs_0_memory_write_data <= sums_turn_write_costs_0;
   sums_turn_read_costs_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 32)
+    generic map (depth => 29, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_costs_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_costs_0_memory_read_enable,
+      read_address => sums_turn_read_costs_0_memory_read_address, read_data => sums_turn_read_costs_0,
+      write_address => sums_turn_read_costs_0_memory_write_address, write_data => sums_turn_read_costs_0_memory_write_data);
 
+  sums_turn_read_smallest_0_memory_read_enable <= true;
+  sums_turn_read_smallest_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_smallest_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_smallest_0_memory_write_data <= to_unsigned(sums_turn_write_smallest_0, 4);
   sums_turn_read_smallest_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 4)
+    generic map (depth => 29, width => 4, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_smallest_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_smallest_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_smallest_0_memory_read_enable,
+      read_address => sums_turn_read_smallest_0_memory_read_address, read_data => sums_turn_read_smallest_0,
+      write_address => sums_turn_read_smallest_0_memory_write_address, write_data => sums_turn_read_smallest_0_memory_write_data);
 
+  forward_cost_delay_held_1_memory_read_enable <= entry_tag_valid;
+  forward_cost_delay_held_1_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+  forward_cost_delay_held_1_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
   forward_cost_delay_held_1_memory_write_data <= to_unsigned(entry_cost_11, 4) & to_unsigned(entry_cost_10, 4) & to_unsigned(entry_cost_9, 4) & to_unsigned(entry_cost_8, 4);
   forward_cost_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 5, width => 16)
+    generic map (depth => 5, width => 16, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_1,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
+      clock => clock, read_enable => forward_cost_delay_held_1_memory_read_enable,
+      read_address => forward_cost_delay_held_1_memory_read_address, read_data => forward_cost_delay_held_1,
+      write_address => forward_cost_delay_held_1_memory_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
 
+  forward_cost_delay_held_0_memory_read_enable <= entry_tag_valid;
+  forward_cost_delay_held_0_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+  forward_cost_delay_held_0_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
   forward_cost_delay_held_0_memory_write_data <= to_unsigned(entry_cost_7, 4) & to_unsigned(entry_cost_6, 4) & to_unsigned(entry_cost_5, 4) & to_unsigned(entry_cost_4, 4) & to_unsigned(entry_cost_3, 4) & to_unsigned(entry_cost_2, 4) & to_unsigned(entry_cost_1, 4) & to_unsigned(entry_cost_0, 4);
   forward_cost_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 5, width => 32)
+    generic map (depth => 5, width => 32, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_cost_delay_held_0,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
+      clock => clock, read_enable => forward_cost_delay_held_0_memory_read_enable,
+      read_address => forward_cost_delay_held_0_memory_read_address, read_data => forward_cost_delay_held_0,
+      write_address => forward_cost_delay_held_0_memory_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1225,590 +1333,1328 @@ begin
       transform_counter_group_is_equal := transform_counter_column = 39;
       transform_counter_group_is_equal_2 := transform_counter_group = 11;
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      transform_counter_group_choice := 3 when transform_counter_group_all else 0;
+      if transform_counter_group_all then
+        transform_counter_group_choice := 3;
+      else
+        transform_counter_group_choice := 0;
+      end if;
       transform_counter_group_is_equal_3 := transform_counter_group = 13;
-      transform_counter_group_choice_2 := 2 when transform_counter_next_frame and transform_counter_group_is_equal_3
-        else (transform_counter_group + 1) mod 16;
-      transform_counter_group_choice_3 := transform_counter_group_choice_2 when (transform_counter_group /= 14) and
-        transform_counter_group_is_equal and in_valid else transform_counter_group;
+      if transform_counter_next_frame and transform_counter_group_is_equal_3 then
+        transform_counter_group_choice_2 := 2;
+      else
+        transform_counter_group_choice_2 := (transform_counter_group + 1) mod 16;
+      end if;
+      if (transform_counter_group /= 14) and transform_counter_group_is_equal and in_valid then
+        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+      else
+        transform_counter_group_choice_3 := transform_counter_group;
+      end if;
       transform_read_column_inside_1_is_equal := (transform_counter_column / 4) = 0;
       transform_read_column_inside_1_is_equal_2 := (transform_counter_column / 2) = 0;
-      transform_read_column_inside_1_choice := (transform_counter_column mod 4) = 0 when
-        transform_read_column_inside_1_is_equal_2 else ((transform_counter_column mod 2) = 1) or
-        (((transform_counter_column / 2) mod 2) = 1);
+      if transform_read_column_inside_1_is_equal_2 then
+        transform_read_column_inside_1_choice := (transform_counter_column mod 4) = 0;
+      else
+        transform_read_column_inside_1_choice := ((transform_counter_column mod 2) = 1) or (((transform_counter_column
+          / 2) mod 2) = 1);
+      end if;
       transform_read_column_inside_1_differs := (transform_counter_column / 2) /= 0;
-      transform_read_column_inside_3_choice := ((transform_counter_column / 2) mod 8) = 0 when
-        (transform_counter_column mod 2) = 1 else ((transform_counter_column / 4) mod 4) = 0;
-      transform_read_column_inside_3_choice_2 := (transform_counter_column / 16) = 0 when
-        transform_read_column_inside_1_is_equal_2 else ((transform_counter_column / 32) = 1) or
-        (((transform_counter_column / 16) mod 2) = 1);
+      if (transform_counter_column mod 2) = 1 then
+        transform_read_column_inside_3_choice := ((transform_counter_column / 2) mod 8) = 0;
+      else
+        transform_read_column_inside_3_choice := ((transform_counter_column / 4) mod 4) = 0;
+      end if;
+      if transform_read_column_inside_1_is_equal_2 then
+        transform_read_column_inside_3_choice_2 := (transform_counter_column / 16) = 0;
+      else
+        transform_read_column_inside_3_choice_2 := ((transform_counter_column / 32) = 1) or (((transform_counter_column
+          / 16) mod 2) = 1);
+      end if;
       transform_left_filter_feature_0_value := ((transform_left_filter_column_2_2 / 2) mod 2) = 1;
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
         ((transform_left_filter_column_2_2 mod 2) = 1));
-      transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      if (transform_left_filter_column_4_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
+      end if;
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column_2_2 mod 4) = 0;
-      transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice when
-        ((transform_left_filter_column_4_0 / 2) mod 2) = 1 else ((transform_left_filter_column_4_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
+      if ((transform_left_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      else
+        transform_left_filter_feature_0_choice_2 := ((transform_left_filter_column_4_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
       transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_2_2 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_2 else (not
-        (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choice_2 then
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
       transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_2_2 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_3 else (not
-        (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      if transform_left_filter_feature_0_choice_3 then
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
       transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_2_2 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_4 else (not
-        (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choice_4 then
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
       transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_2_2 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_5 else (not
-        (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      if transform_left_filter_feature_0_choice_5 then
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
       transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_2_2 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_6 else (not
-        (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_7 else
-        ((transform_left_filter_column_4_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9 when
-        ((transform_left_filter_column_4_1 / 2) mod 2) = 1 else ((transform_left_filter_column_4_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_10 else (not
-        (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_11 else (not
-        (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_12 else (not
-        (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_13 else (not
-        (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_14 else (not
-        (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_15 else
-        ((transform_left_filter_column_4_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17 when
-        ((transform_left_filter_column_4_2 / 2) mod 2) = 1 else ((transform_left_filter_column_4_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_18 else (not
-        (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_19 else (not
-        (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_20 else (not
-        (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_21 else (not
-        (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_22 else (not
-        (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_23 else
-        ((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25 when
-        ((transform_left_filter_column_4_3 / 2) mod 2) = 1 else ((transform_left_filter_column_4_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_26 else (not
-        (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_27 else (not
-        (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_28 else (not
-        (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_29 else (not
-        (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_30 else (not
-        (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_31 else
-        ((transform_left_filter_column_4_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33 when
-        ((transform_left_filter_column_4_4 / 2) mod 2) = 1 else ((transform_left_filter_column_4_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_34 else (not
-        (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_35 else (not
-        (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_36 else (not
-        (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_37 else (not
-        (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_38 else (not
-        (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_4_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_39 else
-        ((transform_left_filter_column_4_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41 when
-        ((transform_left_filter_column_3_0 / 2) mod 2) = 1 else ((transform_left_filter_column_3_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_42 else (not
-        (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_43 else (not
-        (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_44 else (not
-        (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_45 else (not
-        (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_46 else (not
-        (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_47 else
-        ((transform_left_filter_column_3_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49 when
-        ((transform_left_filter_column_3_1 / 2) mod 2) = 1 else ((transform_left_filter_column_3_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_50 else (not
-        (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_51 else (not
-        (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_52 else (not
-        (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_53 else (not
-        (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_54 else (not
-        (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_55 else
-        ((transform_left_filter_column_3_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57 when
-        ((transform_left_filter_column_3_2 / 2) mod 2) = 1 else ((transform_left_filter_column_3_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_58 else (not
-        (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_59 else (not
-        (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_60 else (not
-        (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_61 else (not
-        (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_62 else (not
-        (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_63 else
-        ((transform_left_filter_column_3_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65 when
-        ((transform_left_filter_column_3_3 / 2) mod 2) = 1 else ((transform_left_filter_column_3_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_66 else (not
-        (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_67 else (not
-        (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_68 else (not
-        (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_69 else (not
-        (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_70 else (not
-        (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_71 else
-        ((transform_left_filter_column_3_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73 when
-        ((transform_left_filter_column_3_4 / 2) mod 2) = 1 else ((transform_left_filter_column_3_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_74 else (not
-        (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_75 else (not
-        (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_76 else (not
-        (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_77 else (not
-        (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_78 else (not
-        (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_3_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_79 else
-        ((transform_left_filter_column_3_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81 when
-        ((transform_left_filter_column_2_4 / 2) mod 2) = 1 else ((transform_left_filter_column_2_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_82 else (not
-        (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_83 else (not
-        (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_84 else (not
-        (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_85 else (not
-        (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_86 else (not
-        (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
-        ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_2_2 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
-        (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1)));
-      transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_choice_89 when
-        ((transform_left_filter_column_2_1 / 2) mod 2) = 1 else ((transform_left_filter_column_2_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_90 else (not
-        (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_91 else (not
-        (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_92 else (not
-        (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_93 else (not
-        (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_94 else (not
-        (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_95 else
-        ((transform_left_filter_column_2_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_choice_97 when
-        ((transform_left_filter_column_2_3 / 2) mod 2) = 1 else ((transform_left_filter_column_2_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_98 else (not
-        (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_99 else (not
-        (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_100 else (not
-        (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_101 else (not
-        (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_102 else (not
-        (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_103 else
-        ((transform_left_filter_column_2_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105 when
-        ((transform_left_filter_column_2_0 / 2) mod 2) = 1 else ((transform_left_filter_column_2_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_106 else (not
-        (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_107 else (not
-        (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_108 else (not
-        (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_109 else (not
-        (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_110 else (not
-        (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_111 else
-        ((transform_left_filter_column_2_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_choice_113 when
-        ((transform_left_filter_column_1_3 / 2) mod 2) = 1 else ((transform_left_filter_column_1_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_114 else (not
-        (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_115 else (not
-        (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_116 else (not
-        (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_117 else (not
-        (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_118 else (not
-        (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_119 else
-        ((transform_left_filter_column_1_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_121 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_choice_121 when
-        ((transform_left_filter_column_1_4 / 2) mod 2) = 1 else ((transform_left_filter_column_1_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_122 else (not
-        (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_123 else (not
-        (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_124 else (not
-        (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_125 else (not
-        (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_126 else (not
-        (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_1_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_127 else
-        ((transform_left_filter_column_1_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_129 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_choice_129 when
-        ((transform_left_filter_column_1_2 / 2) mod 2) = 1 else ((transform_left_filter_column_1_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_130 else (not
-        (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_131 else (not
-        (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_132 else (not
-        (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_133 else (not
-        (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_134 else (not
-        (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_135 else
-        ((transform_left_filter_column_1_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_137 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_choice_137 when
-        ((transform_left_filter_column_1_1 / 2) mod 2) = 1 else ((transform_left_filter_column_1_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_138 else (not
-        (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_139 else (not
-        (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_140 else (not
-        (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_141 else (not
-        (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_142 else (not
-        (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_143 else
-        ((transform_left_filter_column_1_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_145 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_choice_145 when
-        ((transform_left_filter_column_1_0 / 2) mod 2) = 1 else ((transform_left_filter_column_1_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_146 else (not
-        (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_147 else (not
-        (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_148 else (not
-        (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_149 else (not
-        (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_150 else (not
-        (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_151 else
-        ((transform_left_filter_column_1_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_153 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_choice_153 when
-        ((transform_left_filter_column_0_3 / 2) mod 2) = 1 else ((transform_left_filter_column_0_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_154 else (not
-        (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_155 else (not
-        (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_156 else (not
-        (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_157 else (not
-        (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_158 else (not
-        (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_159 else
-        ((transform_left_filter_column_0_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_choice_161 when
-        ((transform_left_filter_column_0_4 / 2) mod 2) = 1 else ((transform_left_filter_column_0_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_162 else (not
-        (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_163 else (not
-        (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_164 else (not
-        (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_165 else (not
-        (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_166 else (not
-        (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_0_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_167 else
-        ((transform_left_filter_column_0_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_choice_169 when
-        ((transform_left_filter_column_0_2 / 2) mod 2) = 1 else ((transform_left_filter_column_0_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_170 else (not
-        (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_171 else (not
-        (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_172 else (not
-        (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_173 else (not
-        (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_174 else (not
-        (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_175 else
-        ((transform_left_filter_column_0_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_177 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_choice_177 when
-        ((transform_left_filter_column_0_1 / 2) mod 2) = 1 else ((transform_left_filter_column_0_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_178 else (not
-        (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_179 else (not
-        (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_180 else (not
-        (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_181 else (not
-        (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_182 else (not
-        (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_183 else
-        ((transform_left_filter_column_0_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_185 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1) when
-        (transform_left_filter_column_2_2 mod 2) = 1 else (transform_left_filter_column_0_0 mod 4) = 0;
-      transform_left_filter_feature_0_choice_186 := ((transform_left_filter_column_2_2 mod 2) = 1) or (not
-        (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1))
-        when transform_left_filter_feature_0_value else transform_left_filter_feature_0_choice_185;
+      if transform_left_filter_feature_0_choice_6 then
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_7 then
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_9 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9;
+      else
+        transform_left_filter_feature_0_choice_10 := ((transform_left_filter_column_4_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_10 then
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_11 then
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_12 then
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_13 then
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_14 then
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_15 then
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_17 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17;
+      else
+        transform_left_filter_feature_0_choice_18 := ((transform_left_filter_column_4_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_18 then
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_19 then
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_20 then
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_21 then
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_22 then
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_23 then
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_4_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_25 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25;
+      else
+        transform_left_filter_feature_0_choice_26 := ((transform_left_filter_column_4_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_26 then
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_27 then
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_28 then
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_29 then
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_30 then
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_31 then
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_4_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_33 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33;
+      else
+        transform_left_filter_feature_0_choice_34 := ((transform_left_filter_column_4_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_34 then
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_35 then
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_36 then
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_37 then
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_38 then
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_39 then
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_4_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_4_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_41 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41;
+      else
+        transform_left_filter_feature_0_choice_42 := ((transform_left_filter_column_3_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_42 then
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_43 then
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_44 then
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_45 then
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_46 then
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_47 then
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_3_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_49 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49;
+      else
+        transform_left_filter_feature_0_choice_50 := ((transform_left_filter_column_3_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_50 then
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_51 then
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_52 then
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_53 then
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_54 then
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_55 then
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_3_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_57 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57;
+      else
+        transform_left_filter_feature_0_choice_58 := ((transform_left_filter_column_3_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_58 then
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_59 then
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_60 then
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_61 then
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_62 then
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_63 then
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_3_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_65 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65;
+      else
+        transform_left_filter_feature_0_choice_66 := ((transform_left_filter_column_3_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_66 then
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_67 then
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_68 then
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_69 then
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_70 then
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_71 then
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_3_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_73 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73;
+      else
+        transform_left_filter_feature_0_choice_74 := ((transform_left_filter_column_3_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_74 then
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_75 then
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_76 then
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_77 then
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_78 then
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_79 then
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_3_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_3_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_81 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81;
+      else
+        transform_left_filter_feature_0_choice_82 := ((transform_left_filter_column_2_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_82 then
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_83 then
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_84 then
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_85 then
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_86 then
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_87 then
+        transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
+          ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
+          (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_2_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_89 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_choice_89;
+      else
+        transform_left_filter_feature_0_choice_90 := ((transform_left_filter_column_2_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_90 then
+        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_91 then
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_92 then
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_93 then
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_94 then
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_95 then
+        transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_2_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_97 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_choice_97;
+      else
+        transform_left_filter_feature_0_choice_98 := ((transform_left_filter_column_2_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_98 then
+        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_99 then
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_100 then
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_101 then
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_102 then
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_103 then
+        transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_2_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_105 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105;
+      else
+        transform_left_filter_feature_0_choice_106 := ((transform_left_filter_column_2_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_106 then
+        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_107 then
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_108 then
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_109 then
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_110 then
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_111 then
+        transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_2_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_113 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_choice_113;
+      else
+        transform_left_filter_feature_0_choice_114 := ((transform_left_filter_column_1_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_114 then
+        transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_115 then
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_116 then
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_117 then
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_118 then
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_119 then
+        transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_1_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_121 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_121 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_choice_121;
+      else
+        transform_left_filter_feature_0_choice_122 := ((transform_left_filter_column_1_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_122 then
+        transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_123 then
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_124 then
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_125 then
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_126 then
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_127 then
+        transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_1_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_1_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_129 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_129 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_choice_129;
+      else
+        transform_left_filter_feature_0_choice_130 := ((transform_left_filter_column_1_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_130 then
+        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_131 then
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_132 then
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_133 then
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_134 then
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_135 then
+        transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_1_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_137 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_137 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_choice_137;
+      else
+        transform_left_filter_feature_0_choice_138 := ((transform_left_filter_column_1_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_138 then
+        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_139 then
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_140 then
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_141 then
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_142 then
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_143 then
+        transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_1_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_145 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_145 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_choice_145;
+      else
+        transform_left_filter_feature_0_choice_146 := ((transform_left_filter_column_1_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_146 then
+        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_147 then
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_148 then
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_149 then
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_150 then
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_151 then
+        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_1_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_153 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_153 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_choice_153;
+      else
+        transform_left_filter_feature_0_choice_154 := ((transform_left_filter_column_0_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_154 then
+        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_155 then
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_156 then
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_157 then
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_158 then
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_159 then
+        transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_0_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_161 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_choice_161;
+      else
+        transform_left_filter_feature_0_choice_162 := ((transform_left_filter_column_0_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_162 then
+        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_163 then
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_164 then
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_165 then
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_166 then
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_167 then
+        transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_0_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_0_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_169 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_choice_169;
+      else
+        transform_left_filter_feature_0_choice_170 := ((transform_left_filter_column_0_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_170 then
+        transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_171 then
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_172 then
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_173 then
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_174 then
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_175 then
+        transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_0_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_177 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_177 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_choice_177;
+      else
+        transform_left_filter_feature_0_choice_178 := ((transform_left_filter_column_0_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_178 then
+        transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_179 then
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_180 then
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_181 then
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_182 then
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_183 then
+        transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_185 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1);
+      else
+        transform_left_filter_feature_0_choice_185 := (transform_left_filter_column_0_0 mod 4) = 0;
+      end if;
+      if transform_left_filter_feature_0_value then
+        transform_left_filter_feature_0_choice_186 := ((transform_left_filter_column_2_2 mod 2) = 1) or (not
+          (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1));
+      else
+        transform_left_filter_feature_0_choice_186 := transform_left_filter_feature_0_choice_185;
+      end if;
       transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_187 := (not transform_left_filter_feature_0_value_2) and
-        transform_left_filter_feature_0_value_7 when transform_left_filter_feature_0_choice_186 else (not
-        transform_left_filter_feature_0_value_2) or transform_left_filter_feature_0_value_7;
+      if transform_left_filter_feature_0_choice_186 then
+        transform_left_filter_feature_0_choice_187 := (not transform_left_filter_feature_0_value_2) and
+          transform_left_filter_feature_0_value_7;
+      else
+        transform_left_filter_feature_0_choice_187 := (not transform_left_filter_feature_0_value_2) or
+          transform_left_filter_feature_0_value_7;
+      end if;
       transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_188 := (not transform_left_filter_feature_0_value_3) or
-        transform_left_filter_feature_0_value_8 when transform_left_filter_feature_0_choice_187 else (not
-        transform_left_filter_feature_0_value_3) and transform_left_filter_feature_0_value_8;
+      if transform_left_filter_feature_0_choice_187 then
+        transform_left_filter_feature_0_choice_188 := (not transform_left_filter_feature_0_value_3) or
+          transform_left_filter_feature_0_value_8;
+      else
+        transform_left_filter_feature_0_choice_188 := (not transform_left_filter_feature_0_value_3) and
+          transform_left_filter_feature_0_value_8;
+      end if;
       transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_189 := (not transform_left_filter_feature_0_value_4) or
-        transform_left_filter_feature_0_value_9 when transform_left_filter_feature_0_choice_188 else (not
-        transform_left_filter_feature_0_value_4) and transform_left_filter_feature_0_value_9;
+      if transform_left_filter_feature_0_choice_188 then
+        transform_left_filter_feature_0_choice_189 := (not transform_left_filter_feature_0_value_4) or
+          transform_left_filter_feature_0_value_9;
+      else
+        transform_left_filter_feature_0_choice_189 := (not transform_left_filter_feature_0_value_4) and
+          transform_left_filter_feature_0_value_9;
+      end if;
       transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_190 := (not transform_left_filter_feature_0_value_5) or
-        transform_left_filter_feature_0_value_10 when transform_left_filter_feature_0_choice_189 else (not
-        transform_left_filter_feature_0_value_5) and transform_left_filter_feature_0_value_10;
+      if transform_left_filter_feature_0_choice_189 then
+        transform_left_filter_feature_0_choice_190 := (not transform_left_filter_feature_0_value_5) or
+          transform_left_filter_feature_0_value_10;
+      else
+        transform_left_filter_feature_0_choice_190 := (not transform_left_filter_feature_0_value_5) and
+          transform_left_filter_feature_0_value_10;
+      end if;
       transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_191 := (not transform_left_filter_feature_0_value_6) or
-        transform_left_filter_feature_0_value_11 when transform_left_filter_feature_0_choice_190 else (not
-        transform_left_filter_feature_0_value_6) and transform_left_filter_feature_0_value_11;
-      transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
-        ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_191 else (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
+      if transform_left_filter_feature_0_choice_190 then
+        transform_left_filter_feature_0_choice_191 := (not transform_left_filter_feature_0_value_6) or
+          transform_left_filter_feature_0_value_11;
+      else
+        transform_left_filter_feature_0_choice_191 := (not transform_left_filter_feature_0_value_6) and
+          transform_left_filter_feature_0_value_11;
+      end if;
+      if transform_left_filter_feature_0_choice_191 then
+        transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
+          ((transform_left_filter_column_0_0 / 128) = 1);
+      else
+        transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) and
+          ((transform_left_filter_column_0_0 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choice_160) * 8) +
           (as_number(transform_left_filter_feature_0_choice_168) * 16) +
@@ -1848,570 +2694,1290 @@ begin
       transform_right_filter_feature_0_value := ((transform_right_filter_column_2_2 / 2) mod 2) = 1;
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
         ((transform_right_filter_column_2_2 mod 2) = 1));
-      transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      if (transform_right_filter_column_4_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
+      end if;
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column_2_2 mod 4) = 0;
-      transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice when
-        ((transform_right_filter_column_4_0 / 2) mod 2) = 1 else ((transform_right_filter_column_4_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
+      if ((transform_right_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      else
+        transform_right_filter_feature_0_choice_2 := ((transform_right_filter_column_4_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
       transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_2_2 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_2 else (not
-        (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choice_2 then
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
       transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_2_2 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_3 else (not
-        (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      if transform_right_filter_feature_0_choice_3 then
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
       transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_2_2 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_4 else (not
-        (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choice_4 then
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
       transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_2_2 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_5 else (not
-        (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      if transform_right_filter_feature_0_choice_5 then
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
       transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_2_2 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_6 else (not
-        (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_7 else
-        ((transform_right_filter_column_4_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9 when
-        ((transform_right_filter_column_4_1 / 2) mod 2) = 1 else ((transform_right_filter_column_4_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_10 else (not
-        (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_11 else (not
-        (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_12 else (not
-        (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_13 else (not
-        (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_14 else (not
-        (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_15 else
-        ((transform_right_filter_column_4_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17 when
-        ((transform_right_filter_column_4_2 / 2) mod 2) = 1 else ((transform_right_filter_column_4_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_18 else (not
-        (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_19 else (not
-        (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_20 else (not
-        (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_21 else (not
-        (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_22 else (not
-        (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_23 else
-        ((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25 when
-        ((transform_right_filter_column_4_3 / 2) mod 2) = 1 else ((transform_right_filter_column_4_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_26 else (not
-        (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_27 else (not
-        (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_28 else (not
-        (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_29 else (not
-        (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_30 else (not
-        (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_31 else
-        ((transform_right_filter_column_4_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33 when
-        ((transform_right_filter_column_4_4 / 2) mod 2) = 1 else ((transform_right_filter_column_4_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_34 else (not
-        (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_35 else (not
-        (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_36 else (not
-        (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_37 else (not
-        (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_38 else (not
-        (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_4_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_39 else
-        ((transform_right_filter_column_4_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41 when
-        ((transform_right_filter_column_3_0 / 2) mod 2) = 1 else ((transform_right_filter_column_3_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_42 else (not
-        (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_43 else (not
-        (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_44 else (not
-        (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_45 else (not
-        (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_46 else (not
-        (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_47 else
-        ((transform_right_filter_column_3_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49 when
-        ((transform_right_filter_column_3_1 / 2) mod 2) = 1 else ((transform_right_filter_column_3_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_50 else (not
-        (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_51 else (not
-        (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_52 else (not
-        (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_53 else (not
-        (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_54 else (not
-        (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_55 else
-        ((transform_right_filter_column_3_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57 when
-        ((transform_right_filter_column_3_2 / 2) mod 2) = 1 else ((transform_right_filter_column_3_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_58 else (not
-        (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_59 else (not
-        (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_60 else (not
-        (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_61 else (not
-        (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_62 else (not
-        (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_63 else
-        ((transform_right_filter_column_3_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65 when
-        ((transform_right_filter_column_3_3 / 2) mod 2) = 1 else ((transform_right_filter_column_3_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_66 else (not
-        (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_67 else (not
-        (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_68 else (not
-        (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_69 else (not
-        (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_70 else (not
-        (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_71 else
-        ((transform_right_filter_column_3_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73 when
-        ((transform_right_filter_column_3_4 / 2) mod 2) = 1 else ((transform_right_filter_column_3_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_74 else (not
-        (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_75 else (not
-        (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_76 else (not
-        (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_77 else (not
-        (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_78 else (not
-        (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_79 else
-        ((transform_right_filter_column_3_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81 when
-        ((transform_right_filter_column_2_4 / 2) mod 2) = 1 else ((transform_right_filter_column_2_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_82 else (not
-        (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_83 else (not
-        (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_84 else (not
-        (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_85 else (not
-        (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_86 else (not
-        (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
-        ((transform_right_filter_column_2_4 / 128) = 1) and (not ((transform_right_filter_column_2_2 / 128) = 1)) when
-        transform_right_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
-        (((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1)));
-      transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_choice_89 when
-        ((transform_right_filter_column_2_1 / 2) mod 2) = 1 else ((transform_right_filter_column_2_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_90 else (not
-        (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_91 else (not
-        (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_92 else (not
-        (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_93 else (not
-        (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_94 else (not
-        (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_95 else
-        ((transform_right_filter_column_2_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97 when
-        ((transform_right_filter_column_2_3 / 2) mod 2) = 1 else ((transform_right_filter_column_2_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_98 else (not
-        (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_99 else (not
-        (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_100 else (not
-        (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_101 else (not
-        (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_102 else (not
-        (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_103 else
-        ((transform_right_filter_column_2_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_choice_105 when
-        ((transform_right_filter_column_2_0 / 2) mod 2) = 1 else ((transform_right_filter_column_2_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_106 else (not
-        (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_107 else (not
-        (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_108 else (not
-        (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_109 else (not
-        (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_110 else (not
-        (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_111 else
-        ((transform_right_filter_column_2_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_113 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_choice_113 when
-        ((transform_right_filter_column_1_3 / 2) mod 2) = 1 else ((transform_right_filter_column_1_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_114 else (not
-        (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_115 else (not
-        (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_116 else (not
-        (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_117 else (not
-        (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_118 else (not
-        (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_119 else
-        ((transform_right_filter_column_1_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_121 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_choice_121 when
-        ((transform_right_filter_column_1_4 / 2) mod 2) = 1 else ((transform_right_filter_column_1_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_122 else (not
-        (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_123 else (not
-        (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_124 else (not
-        (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_125 else (not
-        (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_126 else (not
-        (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_127 else
-        ((transform_right_filter_column_1_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_129 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_choice_129 when
-        ((transform_right_filter_column_1_2 / 2) mod 2) = 1 else ((transform_right_filter_column_1_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_130 else (not
-        (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_131 else (not
-        (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_132 else (not
-        (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_133 else (not
-        (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_134 else (not
-        (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_135 else
-        ((transform_right_filter_column_1_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_choice_137 when
-        ((transform_right_filter_column_1_1 / 2) mod 2) = 1 else ((transform_right_filter_column_1_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_138 else (not
-        (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_139 else (not
-        (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_140 else (not
-        (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_141 else (not
-        (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_142 else (not
-        (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_143 else
-        ((transform_right_filter_column_1_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_145 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_choice_145 when
-        ((transform_right_filter_column_1_0 / 2) mod 2) = 1 else ((transform_right_filter_column_1_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_146 else (not
-        (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_147 else (not
-        (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_148 else (not
-        (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_149 else (not
-        (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_150 else (not
-        (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_151 else
-        ((transform_right_filter_column_1_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_choice_153 when
-        ((transform_right_filter_column_0_3 / 2) mod 2) = 1 else ((transform_right_filter_column_0_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_154 else (not
-        (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_155 else (not
-        (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_156 else (not
-        (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_157 else (not
-        (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_158 else (not
-        (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_159 else
-        ((transform_right_filter_column_0_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161 when
-        ((transform_right_filter_column_0_4 / 2) mod 2) = 1 else ((transform_right_filter_column_0_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_162 else (not
-        (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_163 else (not
-        (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_164 else (not
-        (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_165 else (not
-        (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_166 else (not
-        (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_167 else
-        ((transform_right_filter_column_0_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_choice_169 when
-        ((transform_right_filter_column_0_2 / 2) mod 2) = 1 else ((transform_right_filter_column_0_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_170 else (not
-        (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_171 else (not
-        (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_172 else (not
-        (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_173 else (not
-        (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_174 else (not
-        (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_175 else
-        ((transform_right_filter_column_0_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_177 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_choice_177 when
-        ((transform_right_filter_column_0_1 / 2) mod 2) = 1 else ((transform_right_filter_column_0_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_178 else (not
-        (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_179 else (not
-        (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_180 else (not
-        (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_181 else (not
-        (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_182 else (not
-        (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_183 else
-        ((transform_right_filter_column_0_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_185 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1) when
-        (transform_right_filter_column_2_2 mod 2) = 1 else (transform_right_filter_column_0_0 mod 4) = 0;
-      transform_right_filter_feature_0_choice_186 := ((transform_right_filter_column_2_2 mod 2) = 1) or (not
-        (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) = 1))
-        when transform_right_filter_feature_0_value else transform_right_filter_feature_0_choice_185;
+      if transform_right_filter_feature_0_choice_6 then
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_7 then
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_9 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9;
+      else
+        transform_right_filter_feature_0_choice_10 := ((transform_right_filter_column_4_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_10 then
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_11 then
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_12 then
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_13 then
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_14 then
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_15 then
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_17 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17;
+      else
+        transform_right_filter_feature_0_choice_18 := ((transform_right_filter_column_4_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_18 then
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_19 then
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_20 then
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_21 then
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_22 then
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_23 then
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_4_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_25 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25;
+      else
+        transform_right_filter_feature_0_choice_26 := ((transform_right_filter_column_4_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_26 then
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_27 then
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_28 then
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_29 then
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_30 then
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_31 then
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_4_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_33 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33;
+      else
+        transform_right_filter_feature_0_choice_34 := ((transform_right_filter_column_4_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_34 then
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_35 then
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_36 then
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_37 then
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_38 then
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_39 then
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_4_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_4_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_41 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41;
+      else
+        transform_right_filter_feature_0_choice_42 := ((transform_right_filter_column_3_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_42 then
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_43 then
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_44 then
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_45 then
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_46 then
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_47 then
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_3_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_49 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49;
+      else
+        transform_right_filter_feature_0_choice_50 := ((transform_right_filter_column_3_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_50 then
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_51 then
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_52 then
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_53 then
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_54 then
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_55 then
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_3_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_57 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57;
+      else
+        transform_right_filter_feature_0_choice_58 := ((transform_right_filter_column_3_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_58 then
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_59 then
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_60 then
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_61 then
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_62 then
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_63 then
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_3_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_65 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65;
+      else
+        transform_right_filter_feature_0_choice_66 := ((transform_right_filter_column_3_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_66 then
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_67 then
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_68 then
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_69 then
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_70 then
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_71 then
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_3_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_73 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73;
+      else
+        transform_right_filter_feature_0_choice_74 := ((transform_right_filter_column_3_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_74 then
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_75 then
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_76 then
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_77 then
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_78 then
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_79 then
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_3_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_81 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81;
+      else
+        transform_right_filter_feature_0_choice_82 := ((transform_right_filter_column_2_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_82 then
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_83 then
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_84 then
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_85 then
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_86 then
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_87 then
+        transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
+          ((transform_right_filter_column_2_4 / 128) = 1) and (not ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
+          (((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_2_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_89 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_choice_89;
+      else
+        transform_right_filter_feature_0_choice_90 := ((transform_right_filter_column_2_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_90 then
+        transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_91 then
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_92 then
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_93 then
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_94 then
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_95 then
+        transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_2_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_97 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97;
+      else
+        transform_right_filter_feature_0_choice_98 := ((transform_right_filter_column_2_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_98 then
+        transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_99 then
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_100 then
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_101 then
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_102 then
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_103 then
+        transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_2_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_105 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_choice_105;
+      else
+        transform_right_filter_feature_0_choice_106 := ((transform_right_filter_column_2_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_106 then
+        transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_107 then
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_108 then
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_109 then
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_110 then
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_111 then
+        transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_2_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_113 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_113 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_choice_113;
+      else
+        transform_right_filter_feature_0_choice_114 := ((transform_right_filter_column_1_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_114 then
+        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_115 then
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_116 then
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_117 then
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_118 then
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_119 then
+        transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_1_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_121 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_121 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_choice_121;
+      else
+        transform_right_filter_feature_0_choice_122 := ((transform_right_filter_column_1_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_122 then
+        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_123 then
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_124 then
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_125 then
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_126 then
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_127 then
+        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_1_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_129 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_129 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_choice_129;
+      else
+        transform_right_filter_feature_0_choice_130 := ((transform_right_filter_column_1_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_130 then
+        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_131 then
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_132 then
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_133 then
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_134 then
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_135 then
+        transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_1_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_137 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_choice_137;
+      else
+        transform_right_filter_feature_0_choice_138 := ((transform_right_filter_column_1_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_138 then
+        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_139 then
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_140 then
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_141 then
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_142 then
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_143 then
+        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_1_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_145 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_145 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_choice_145;
+      else
+        transform_right_filter_feature_0_choice_146 := ((transform_right_filter_column_1_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_146 then
+        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_147 then
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_148 then
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_149 then
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_150 then
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_151 then
+        transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_1_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_153 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_choice_153;
+      else
+        transform_right_filter_feature_0_choice_154 := ((transform_right_filter_column_0_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_154 then
+        transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_155 then
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_156 then
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_157 then
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_158 then
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_159 then
+        transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_0_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_161 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161;
+      else
+        transform_right_filter_feature_0_choice_162 := ((transform_right_filter_column_0_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_162 then
+        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_163 then
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_164 then
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_165 then
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_166 then
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_167 then
+        transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_0_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_169 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_choice_169;
+      else
+        transform_right_filter_feature_0_choice_170 := ((transform_right_filter_column_0_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_170 then
+        transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_171 then
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_172 then
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_173 then
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_174 then
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_175 then
+        transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_0_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_177 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_177 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_choice_177;
+      else
+        transform_right_filter_feature_0_choice_178 := ((transform_right_filter_column_0_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_178 then
+        transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_179 then
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_180 then
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_181 then
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_182 then
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_183 then
+        transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_185 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1);
+      else
+        transform_right_filter_feature_0_choice_185 := (transform_right_filter_column_0_0 mod 4) = 0;
+      end if;
+      if transform_right_filter_feature_0_value then
+        transform_right_filter_feature_0_choice_186 := ((transform_right_filter_column_2_2 mod 2) = 1) or (not
+          (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) =
+          1));
+      else
+        transform_right_filter_feature_0_choice_186 := transform_right_filter_feature_0_choice_185;
+      end if;
       transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_187 := (not transform_right_filter_feature_0_value_2) and
-        transform_right_filter_feature_0_value_7 when transform_right_filter_feature_0_choice_186 else (not
-        transform_right_filter_feature_0_value_2) or transform_right_filter_feature_0_value_7;
+      if transform_right_filter_feature_0_choice_186 then
+        transform_right_filter_feature_0_choice_187 := (not transform_right_filter_feature_0_value_2) and
+          transform_right_filter_feature_0_value_7;
+      else
+        transform_right_filter_feature_0_choice_187 := (not transform_right_filter_feature_0_value_2) or
+          transform_right_filter_feature_0_value_7;
+      end if;
       transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_188 := (not transform_right_filter_feature_0_value_3) or
-        transform_right_filter_feature_0_value_8 when transform_right_filter_feature_0_choice_187 else (not
-        transform_right_filter_feature_0_value_3) and transform_right_filter_feature_0_value_8;
+      if transform_right_filter_feature_0_choice_187 then
+        transform_right_filter_feature_0_choice_188 := (not transform_right_filter_feature_0_value_3) or
+          transform_right_filter_feature_0_value_8;
+      else
+        transform_right_filter_feature_0_choice_188 := (not transform_right_filter_feature_0_value_3) and
+          transform_right_filter_feature_0_value_8;
+      end if;
       transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_189 := (not transform_right_filter_feature_0_value_4) or
-        transform_right_filter_feature_0_value_9 when transform_right_filter_feature_0_choice_188 else (not
-        transform_right_filter_feature_0_value_4) and transform_right_filter_feature_0_value_9;
+      if transform_right_filter_feature_0_choice_188 then
+        transform_right_filter_feature_0_choice_189 := (not transform_right_filter_feature_0_value_4) or
+          transform_right_filter_feature_0_value_9;
+      else
+        transform_right_filter_feature_0_choice_189 := (not transform_right_filter_feature_0_value_4) and
+          transform_right_filter_feature_0_value_9;
+      end if;
       transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_190 := (not transform_right_filter_feature_0_value_5) or
-        transform_right_filter_feature_0_value_10 when transform_right_filter_feature_0_choice_189 else (not
-        transform_right_filter_feature_0_value_5) and transform_right_filter_feature_0_value_10;
+      if transform_right_filter_feature_0_choice_189 then
+        transform_right_filter_feature_0_choice_190 := (not transform_right_filter_feature_0_value_5) or
+          transform_right_filter_feature_0_value_10;
+      else
+        transform_right_filter_feature_0_choice_190 := (not transform_right_filter_feature_0_value_5) and
+          transform_right_filter_feature_0_value_10;
+      end if;
       transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_191 := (not transform_right_filter_feature_0_value_6) or
-        transform_right_filter_feature_0_value_11 when transform_right_filter_feature_0_choice_190 else (not
-        transform_right_filter_feature_0_value_6) and transform_right_filter_feature_0_value_11;
-      transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
-        ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_191 else (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
+      if transform_right_filter_feature_0_choice_190 then
+        transform_right_filter_feature_0_choice_191 := (not transform_right_filter_feature_0_value_6) or
+          transform_right_filter_feature_0_value_11;
+      else
+        transform_right_filter_feature_0_choice_191 := (not transform_right_filter_feature_0_value_6) and
+          transform_right_filter_feature_0_value_11;
+      end if;
+      if transform_right_filter_feature_0_choice_191 then
+        transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
+          ((transform_right_filter_column_0_0 / 128) = 1);
+      else
+        transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) and
+          ((transform_right_filter_column_0_0 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choice_160) * 8) +
           (as_number(transform_right_filter_feature_0_choice_168) * 16) +
@@ -2451,8 +4017,6 @@ begin
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice * 4 when in_valid and in_start_of_frame else
-        transform_counter_group_choice_3;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -2470,11 +4034,7 @@ begin
         mod 2) = 1));
       transform_read_column_inside_0 <= (((transform_counter_column / 2) mod 16) /= 0) or ((transform_counter_column /
         32) = 1);
-      transform_read_column_inside_1 <= transform_read_column_inside_1_choice when
-        transform_read_column_inside_1_is_equal else transform_read_column_inside_1_differs;
       transform_read_column_inside_2 <= true;
-      transform_read_column_inside_3 <= transform_read_column_inside_3_choice_2 when
-        transform_read_column_inside_3_choice else transform_read_column_inside_1_differs;
       transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal /=
         transform_read_column_inside_1_differs;
       transform_read_start_of_frame <= (transform_counter_column = 2) and (transform_counter_group = 2);
@@ -2514,18 +4074,6 @@ begin
       transform_columns_column_inside_4 <= transform_ready_column_inside_4;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 524288) +
-        (as_number(transform_left_filter_feature_0_choice_16) * 1048576) +
-        (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
-        (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
-        (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_196
-        when transform_filtering_0_column_inside_4 else transform_left_filter_feature_0_choice_196;
-      transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
-        (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
-        (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
-        (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
-        (as_number(transform_right_filter_feature_0_choice_40) * 8388608) + transform_right_filter_feature_0_choice_196
-        when transform_filtering_0_column_inside_4 else transform_right_filter_feature_0_choice_196;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
@@ -2535,14 +4083,54 @@ begin
       transform_filtering_0_valid <= transform_columns_valid;
       transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
       transform_filtering_1_valid <= transform_filtering_0_valid;
-      transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
-        transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= transform_counter_group_choice * 4;
+      else
+        transform_counter_group <= transform_counter_group_choice_3;
+      end if;
+      if transform_read_column_inside_1_is_equal then
+        transform_read_column_inside_1 <= transform_read_column_inside_1_choice;
+      else
+        transform_read_column_inside_1 <= transform_read_column_inside_1_differs;
+      end if;
+      if transform_read_column_inside_3_choice then
+        transform_read_column_inside_3 <= transform_read_column_inside_3_choice_2;
+      else
+        transform_read_column_inside_3 <= transform_read_column_inside_1_differs;
+      end if;
+      if transform_filtering_0_column_inside_4 then
+        transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 524288) +
+          (as_number(transform_left_filter_feature_0_choice_16) * 1048576) +
+          (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
+          (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
+          (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_196;
+        transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
+          (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
+          (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
+          (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
+          (as_number(transform_right_filter_feature_0_choice_40) * 8388608) +
+          transform_right_filter_feature_0_choice_196;
+      else
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_196;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_196;
+      end if;
+      if in_start_of_frame then
+        transform_counter_next_frame_choice := transform_counter_group_all;
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
-          (transform_counter_column + 1) mod 64;
-        transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
-          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
-          transform_counter_next_frame_choice;
+        if transform_counter_group_is_equal or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 64;
+        end if;
+        if transform_counter_group_is_equal and transform_counter_group_is_equal_3 then
+          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+            in_start_of_frame;
+        else
+          transform_counter_next_frame <= transform_counter_next_frame_choice;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -2552,11 +4140,6 @@ begin
         transform_write_column <= transform_ready_column;
       end if;
       if transform_columns_valid then
-        transform_left_filter_column_0_0 <= transform_left_column_0 when transform_columns_row_inside_0 else 0;
-        transform_left_filter_column_0_1 <= transform_left_column_1 when transform_columns_row_inside_1 else 0;
-        transform_left_filter_column_0_2 <= transform_left_column_2 when transform_columns_row_inside_2 else 0;
-        transform_left_filter_column_0_3 <= transform_left_column_3 when transform_columns_row_inside_3 else 0;
-        transform_left_filter_column_0_4 <= transform_left_column_4 when transform_columns_row_inside_4 else 0;
         transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
         transform_left_filter_column_1_1 <= transform_left_filter_column_0_1;
         transform_left_filter_column_1_2 <= transform_left_filter_column_0_2;
@@ -2577,11 +4160,6 @@ begin
         transform_left_filter_column_4_2 <= transform_left_filter_column_3_2;
         transform_left_filter_column_4_3 <= transform_left_filter_column_3_3;
         transform_left_filter_column_4_4 <= transform_left_filter_column_3_4;
-        transform_right_filter_column_0_0 <= transform_right_column_0 when transform_columns_row_inside_0 else 0;
-        transform_right_filter_column_0_1 <= transform_right_column_1 when transform_columns_row_inside_1 else 0;
-        transform_right_filter_column_0_2 <= transform_right_column_2 when transform_columns_row_inside_2 else 0;
-        transform_right_filter_column_0_3 <= transform_right_column_3 when transform_columns_row_inside_3 else 0;
-        transform_right_filter_column_0_4 <= transform_right_column_4 when transform_columns_row_inside_4 else 0;
         transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
         transform_right_filter_column_1_1 <= transform_right_filter_column_0_1;
         transform_right_filter_column_1_2 <= transform_right_filter_column_0_2;
@@ -2602,39 +4180,105 @@ begin
         transform_right_filter_column_4_2 <= transform_right_filter_column_3_2;
         transform_right_filter_column_4_3 <= transform_right_filter_column_3_3;
         transform_right_filter_column_4_4 <= transform_right_filter_column_3_4;
+        if transform_columns_row_inside_0 then
+          transform_left_filter_column_0_0 <= transform_left_column_0;
+          transform_right_filter_column_0_0 <= transform_right_column_0;
+        else
+          transform_left_filter_column_0_0 <= 0;
+          transform_right_filter_column_0_0 <= 0;
+        end if;
+        if transform_columns_row_inside_1 then
+          transform_left_filter_column_0_1 <= transform_left_column_1;
+          transform_right_filter_column_0_1 <= transform_right_column_1;
+        else
+          transform_left_filter_column_0_1 <= 0;
+          transform_right_filter_column_0_1 <= 0;
+        end if;
+        if transform_columns_row_inside_2 then
+          transform_left_filter_column_0_2 <= transform_left_column_2;
+          transform_right_filter_column_0_2 <= transform_right_column_2;
+        else
+          transform_left_filter_column_0_2 <= 0;
+          transform_right_filter_column_0_2 <= 0;
+        end if;
+        if transform_columns_row_inside_3 then
+          transform_left_filter_column_0_3 <= transform_left_column_3;
+          transform_right_filter_column_0_3 <= transform_right_column_3;
+        else
+          transform_left_filter_column_0_3 <= 0;
+          transform_right_filter_column_0_3 <= 0;
+        end if;
+        if transform_columns_row_inside_4 then
+          transform_left_filter_column_0_4 <= transform_left_column_4;
+          transform_right_filter_column_0_4 <= transform_right_column_4;
+        else
+          transform_left_filter_column_0_4 <= 0;
+          transform_right_filter_column_0_4 <= 0;
+        end if;
       end if;
       -- raster
       raster_place_group_is_equal := raster_place_group = 11;
       raster_place_group_is_equal_2 := raster_place_column = 39;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
-      raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtering_1_valid and (not
-        ((raster_place_group mod 2) = 1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and
-        transform_filtering_1_valid;
-      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
-        (raster_place_group + 1) mod 16;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
-        raster_place_group;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
-        raster_place_next_frame;
-      raster_place_next_frame_choice_3 := transform_filtering_1_valid when raster_place_group_all else
-        transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
-      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
-        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_1_valid and
-        transform_filtering_1_start_of_frame;
+      if raster_place_group_is_equal_3 then
+        raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtering_1_valid and (not
+          ((raster_place_group mod 2) = 1));
+      else
+        raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtering_1_valid;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 12) then
+        raster_place_group_choice_3 := 1;
+      else
+        raster_place_group_choice_3 := (raster_place_group + 1) mod 16;
+      end if;
+      if raster_place_group_choice_2 then
+        raster_place_group_choice_4 := raster_place_group_choice_3;
+      else
+        raster_place_group_choice_4 := raster_place_group;
+      end if;
+      if raster_place_group_is_equal_2 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
+      if raster_place_group_all then
+        raster_place_next_frame_choice_3 := transform_filtering_1_valid;
+      else
+        raster_place_next_frame_choice_3 := transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
+      end if;
+      if raster_place_next_frame_choice_2 then
+        raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3;
+      else
+        raster_place_next_frame_choice_4 := raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          transform_filtering_1_valid and transform_filtering_1_start_of_frame;
+      end if;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_1_valid;
-      raster_place_group <= raster_place_group_choice * 4 when transform_filtering_1_valid and
-        transform_filtering_1_start_of_frame else raster_place_group_choice_4;
       raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_1_valid) and
         raster_place_next_frame);
+      if transform_filtering_1_valid and transform_filtering_1_start_of_frame then
+        raster_place_group <= raster_place_group_choice * 4;
+      else
+        raster_place_group <= raster_place_group_choice_4;
+      end if;
       if transform_filtering_1_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal_2 or transform_filtering_1_start_of_frame else
-          (raster_place_column + 1) mod 64;
+        if raster_place_group_is_equal_2 or transform_filtering_1_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 64;
+        end if;
       end if;
       -- delay
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
@@ -2688,12 +4332,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_inside_2 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_first_cost <= rows_ready_tag_first_cost;
@@ -2701,6 +4339,27 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0;
+        rows_reference_0 <= rows_reference_rows_ready_words_0;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_1;
+        rows_reference_1 <= rows_reference_rows_ready_words_1;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_newest_0;
+        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= rows_search_rows_ready_words_1;
         rows_search_rows_write_words_1 <= rows_search_rows_ready_newest_0;
@@ -3374,16 +5033,6 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        slice0cost_single_0_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
-        slice0cost_single_0_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
-        slice0cost_single_0_4;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
@@ -3391,6 +5040,19 @@ begin
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_column_0_3 <= slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_column_0_4 <= slice0cost_pair_0_4 + slice0cost_single_0_4;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -4092,12 +5754,20 @@ begin
       slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
       slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
       slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_3 + slice1cost_single_0_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_4 + slice1cost_single_0_4;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_column_0_3 <= slice1cost_pair_0_3 + slice1cost_single_0_3;
+        slice1cost_column_0_4 <= slice1cost_pair_0_4 + slice1cost_single_0_4;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -4423,8 +6093,13 @@ begin
       slice2cost_pair_0_1 <= slice2cost_pixels_cost_1_1 + slice2cost_pixels_cost_2_1;
       slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
       slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+      else
+        slice2cost_column_0_0 <= slice2cost_pair_0_0 + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= slice2cost_pair_0_1 + slice2cost_single_0_1;
+      end if;
       -- slice2window
       if slice0_tag_0_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -4441,8 +6116,11 @@ begin
       entry_order_falls_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column) or entry_order_inside;
       entry_order_falls_all := slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside);
       entry_order_complete_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column);
-      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
-        else entry_order_held_output;
+      if entry_order_falls_all then
+        entry_order_turned_output_column_choice := entry_order_output and entry_order_complete;
+      else
+        entry_order_turned_output_column_choice := entry_order_held_output;
+      end if;
       entry_next_cost_0 <= slice0_held_2_0;
       entry_next_cost_1 <= slice0_held_2_1;
       entry_next_cost_2 <= slice0_held_2_2;
@@ -4459,9 +6137,6 @@ begin
       entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_first_column <= slice0_tag_2_first_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
-      entry_order_complete <= entry_order_complete or (slice0_tag_2_valid and slice0_tag_2_map_column) when
-        slice0_tag_2_end_of_line else entry_order_complete and entry_order_complete_any;
       entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
       entry_order_turned_first_column <= entry_order_falls_all;
       entry_order_turned_start_of_frame <= slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside)
@@ -4486,33 +6161,72 @@ begin
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
+      if entry_order_falls then
+        entry_order_falls <= entry_order_falls_any;
+      else
+        entry_order_falls <= entry_order_falls_all;
+      end if;
+      if slice0_tag_2_end_of_line then
+        entry_order_complete <= entry_order_complete or (slice0_tag_2_valid and slice0_tag_2_map_column);
+      else
+        entry_order_complete <= entry_order_complete and entry_order_complete_any;
+      end if;
       if entry_order_falls_all then
         entry_next_top <= slice0_tag_2_start_of_frame;
         entry_order_output <= slice0_tag_2_output_column;
         entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
-      entry_order_address_choice := 31 when entry_order_falls else 1;
-      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if entry_order_falls then
+        entry_order_address_choice := 31;
+      else
+        entry_order_address_choice := 1;
+      end if;
+      if entry_order_falls then
+        entry_order_address_choice_2 := 0;
+      else
+        entry_order_address_choice_2 := 7;
+      end if;
       if not entry_order_complete_any then
-        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
-          else entry_order_address_choice_2 * 4;
+        if entry_order_falls_any then
+          entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32;
+        else
+          entry_order_address <= entry_order_address_choice_2 * 4;
+        end if;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
       end if;
       -- forward
-      forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
-        forward_left_cost_0;
-      forward_left_pair_1_choice := forward_left_cost_3 when (forward_left_cost_3 - forward_left_cost_1) < 0 else
-        forward_left_cost_1;
-      forward_left_pair_2_choice := forward_left_cost_6 when (forward_left_cost_6 - forward_left_cost_4) < 0 else
-        forward_left_cost_4;
-      forward_left_pair_3_choice := forward_left_cost_7 when (forward_left_cost_7 - forward_left_cost_5) < 0 else
-        forward_left_cost_5;
-      forward_left_pair_4_choice := forward_left_cost_10 when (forward_left_cost_10 - forward_left_cost_8) < 0 else
-        forward_left_cost_8;
-      forward_left_pair_5_choice := forward_left_cost_11 when (forward_left_cost_11 - forward_left_cost_9) < 0 else
-        forward_left_cost_9;
+      if (forward_left_cost_2 - forward_left_cost_0) < 0 then
+        forward_left_pair_0_choice := forward_left_cost_2;
+      else
+        forward_left_pair_0_choice := forward_left_cost_0;
+      end if;
+      if (forward_left_cost_3 - forward_left_cost_1) < 0 then
+        forward_left_pair_1_choice := forward_left_cost_3;
+      else
+        forward_left_pair_1_choice := forward_left_cost_1;
+      end if;
+      if (forward_left_cost_6 - forward_left_cost_4) < 0 then
+        forward_left_pair_2_choice := forward_left_cost_6;
+      else
+        forward_left_pair_2_choice := forward_left_cost_4;
+      end if;
+      if (forward_left_cost_7 - forward_left_cost_5) < 0 then
+        forward_left_pair_3_choice := forward_left_cost_7;
+      else
+        forward_left_pair_3_choice := forward_left_cost_5;
+      end if;
+      if (forward_left_cost_10 - forward_left_cost_8) < 0 then
+        forward_left_pair_4_choice := forward_left_cost_10;
+      else
+        forward_left_pair_4_choice := forward_left_cost_8;
+      end if;
+      if (forward_left_cost_11 - forward_left_cost_9) < 0 then
+        forward_left_pair_5_choice := forward_left_cost_11;
+      else
+        forward_left_pair_5_choice := forward_left_cost_9;
+      end if;
       forward_left_start_cost_0_value := (((forward_left_tree_next_next_smallest_0 mod 32) + forward_left_room) / 32) =
         1;
       if forward_left_start_cost_0_value then
@@ -4531,98 +6245,213 @@ begin
       else
         forward_left_room_choice := forward_left_room;
       end if;
-      forward_left_room_choice_2 := 0 when (forward_left_tree_next_next_smallest_0 / 32) = 1 else
-        forward_left_room_choice;
-      forward_left_cost_0_choice := forward_left_arrived_0 when (forward_left_arrived_0 - forward_left_cost_0) < 0 else
-        forward_left_cost_0;
-      forward_left_cost_0_choice_2 := 32 when ((forward_left_cost_0_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_0_choice;
-      forward_left_cost_1_choice := forward_left_arrived_1 when (forward_left_arrived_1 - forward_left_cost_1) < 0 else
-        forward_left_cost_1;
-      forward_left_cost_1_choice_2 := 32 when ((forward_left_cost_1_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_1_choice;
-      forward_left_cost_2_choice := forward_left_arrived_2 when (forward_left_arrived_2 - forward_left_cost_2) < 0 else
-        forward_left_cost_2;
-      forward_left_cost_2_choice_2 := 32 when ((forward_left_cost_2_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_2_choice;
-      forward_left_cost_3_choice := forward_left_arrived_3 when (forward_left_arrived_3 - forward_left_cost_3) < 0 else
-        forward_left_cost_3;
-      forward_left_cost_3_choice_2 := 32 when ((forward_left_cost_3_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_3_choice;
-      forward_left_cost_4_choice := forward_left_arrived_4 when (forward_left_arrived_4 - forward_left_cost_4) < 0 else
-        forward_left_cost_4;
-      forward_left_cost_4_choice_2 := 32 when ((forward_left_cost_4_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_4_choice;
-      forward_left_cost_5_choice := forward_left_arrived_5 when (forward_left_arrived_5 - forward_left_cost_5) < 0 else
-        forward_left_cost_5;
-      forward_left_cost_5_choice_2 := 32 when ((forward_left_cost_5_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_5_choice;
-      forward_left_cost_6_choice := forward_left_arrived_6 when (forward_left_arrived_6 - forward_left_cost_6) < 0 else
-        forward_left_cost_6;
-      forward_left_cost_6_choice_2 := 32 when ((forward_left_cost_6_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_6_choice;
-      forward_left_cost_7_choice := forward_left_arrived_7 when (forward_left_arrived_7 - forward_left_cost_7) < 0 else
-        forward_left_cost_7;
-      forward_left_cost_7_choice_2 := 32 when ((forward_left_cost_7_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_7_choice;
-      forward_left_cost_8_choice := forward_left_arrived_8 when (forward_left_arrived_8 - forward_left_cost_8) < 0 else
-        forward_left_cost_8;
-      forward_left_cost_8_choice_2 := 32 when ((forward_left_cost_8_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_8_choice;
-      forward_left_cost_9_choice := forward_left_arrived_9 when (forward_left_arrived_9 - forward_left_cost_9) < 0 else
-        forward_left_cost_9;
-      forward_left_cost_9_choice_2 := 32 when ((forward_left_cost_9_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_9_choice;
-      forward_left_cost_10_choice := forward_left_arrived_10 when (forward_left_arrived_10 - forward_left_cost_10) < 0
-        else forward_left_cost_10;
-      forward_left_cost_10_choice_2 := 32 when ((forward_left_cost_10_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_10_choice;
-      forward_left_cost_11_choice := forward_left_arrived_11 when (forward_left_arrived_11 - forward_left_cost_11) < 0
-        else forward_left_cost_11;
-      forward_left_cost_11_choice_2 := 32 when ((forward_left_cost_11_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_11_choice;
-      forward_left_arrived_0_choice := 32 when forward_left_first_2 else forward_left_cost_1;
-      forward_left_arrived_1_choice := 32 when forward_left_first_2 else forward_left_pair_0_choice;
-      forward_left_arrived_2_choice := 32 when forward_left_first_2 else forward_left_pair_1_choice;
-      forward_left_arrived_3_choice := forward_left_cost_4 when (forward_left_cost_4 - forward_left_cost_2) < 0 else
-        forward_left_cost_2;
-      forward_left_arrived_3_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_3_choice;
-      forward_left_arrived_4_choice := forward_left_cost_5 when (forward_left_cost_5 - forward_left_cost_3) < 0 else
-        forward_left_cost_3;
-      forward_left_arrived_4_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_4_choice;
-      forward_left_arrived_5_choice := 32 when forward_left_first_2 else forward_left_pair_2_choice;
-      forward_left_arrived_6_choice := 32 when forward_left_first_2 else forward_left_pair_3_choice;
-      forward_left_arrived_7_choice := forward_left_cost_8 when (forward_left_cost_8 - forward_left_cost_6) < 0 else
-        forward_left_cost_6;
-      forward_left_arrived_7_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_7_choice;
-      forward_left_arrived_8_choice := forward_left_cost_9 when (forward_left_cost_9 - forward_left_cost_7) < 0 else
-        forward_left_cost_7;
-      forward_left_arrived_8_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_8_choice;
-      forward_left_arrived_9_choice := 32 when forward_left_first_2 else forward_left_pair_4_choice;
-      forward_left_arrived_10_choice := 32 when forward_left_first_2 else forward_left_pair_5_choice;
-      forward_left_arrived_11_choice := 32 when forward_left_first_2 else forward_left_cost_10;
+      if (forward_left_tree_next_next_smallest_0 / 32) = 1 then
+        forward_left_room_choice_2 := 0;
+      else
+        forward_left_room_choice_2 := forward_left_room_choice;
+      end if;
+      if (forward_left_arrived_0 - forward_left_cost_0) < 0 then
+        forward_left_cost_0_choice := forward_left_arrived_0;
+      else
+        forward_left_cost_0_choice := forward_left_cost_0;
+      end if;
+      if ((forward_left_cost_0_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_0_choice_2 := 32;
+      else
+        forward_left_cost_0_choice_2 := forward_left_cost_0_choice;
+      end if;
+      if (forward_left_arrived_1 - forward_left_cost_1) < 0 then
+        forward_left_cost_1_choice := forward_left_arrived_1;
+      else
+        forward_left_cost_1_choice := forward_left_cost_1;
+      end if;
+      if ((forward_left_cost_1_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_1_choice_2 := 32;
+      else
+        forward_left_cost_1_choice_2 := forward_left_cost_1_choice;
+      end if;
+      if (forward_left_arrived_2 - forward_left_cost_2) < 0 then
+        forward_left_cost_2_choice := forward_left_arrived_2;
+      else
+        forward_left_cost_2_choice := forward_left_cost_2;
+      end if;
+      if ((forward_left_cost_2_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_2_choice_2 := 32;
+      else
+        forward_left_cost_2_choice_2 := forward_left_cost_2_choice;
+      end if;
+      if (forward_left_arrived_3 - forward_left_cost_3) < 0 then
+        forward_left_cost_3_choice := forward_left_arrived_3;
+      else
+        forward_left_cost_3_choice := forward_left_cost_3;
+      end if;
+      if ((forward_left_cost_3_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_3_choice_2 := 32;
+      else
+        forward_left_cost_3_choice_2 := forward_left_cost_3_choice;
+      end if;
+      if (forward_left_arrived_4 - forward_left_cost_4) < 0 then
+        forward_left_cost_4_choice := forward_left_arrived_4;
+      else
+        forward_left_cost_4_choice := forward_left_cost_4;
+      end if;
+      if ((forward_left_cost_4_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_4_choice_2 := 32;
+      else
+        forward_left_cost_4_choice_2 := forward_left_cost_4_choice;
+      end if;
+      if (forward_left_arrived_5 - forward_left_cost_5) < 0 then
+        forward_left_cost_5_choice := forward_left_arrived_5;
+      else
+        forward_left_cost_5_choice := forward_left_cost_5;
+      end if;
+      if ((forward_left_cost_5_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_5_choice_2 := 32;
+      else
+        forward_left_cost_5_choice_2 := forward_left_cost_5_choice;
+      end if;
+      if (forward_left_arrived_6 - forward_left_cost_6) < 0 then
+        forward_left_cost_6_choice := forward_left_arrived_6;
+      else
+        forward_left_cost_6_choice := forward_left_cost_6;
+      end if;
+      if ((forward_left_cost_6_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_6_choice_2 := 32;
+      else
+        forward_left_cost_6_choice_2 := forward_left_cost_6_choice;
+      end if;
+      if (forward_left_arrived_7 - forward_left_cost_7) < 0 then
+        forward_left_cost_7_choice := forward_left_arrived_7;
+      else
+        forward_left_cost_7_choice := forward_left_cost_7;
+      end if;
+      if ((forward_left_cost_7_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_7_choice_2 := 32;
+      else
+        forward_left_cost_7_choice_2 := forward_left_cost_7_choice;
+      end if;
+      if (forward_left_arrived_8 - forward_left_cost_8) < 0 then
+        forward_left_cost_8_choice := forward_left_arrived_8;
+      else
+        forward_left_cost_8_choice := forward_left_cost_8;
+      end if;
+      if ((forward_left_cost_8_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_8_choice_2 := 32;
+      else
+        forward_left_cost_8_choice_2 := forward_left_cost_8_choice;
+      end if;
+      if (forward_left_arrived_9 - forward_left_cost_9) < 0 then
+        forward_left_cost_9_choice := forward_left_arrived_9;
+      else
+        forward_left_cost_9_choice := forward_left_cost_9;
+      end if;
+      if ((forward_left_cost_9_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_9_choice_2 := 32;
+      else
+        forward_left_cost_9_choice_2 := forward_left_cost_9_choice;
+      end if;
+      if (forward_left_arrived_10 - forward_left_cost_10) < 0 then
+        forward_left_cost_10_choice := forward_left_arrived_10;
+      else
+        forward_left_cost_10_choice := forward_left_cost_10;
+      end if;
+      if ((forward_left_cost_10_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_10_choice_2 := 32;
+      else
+        forward_left_cost_10_choice_2 := forward_left_cost_10_choice;
+      end if;
+      if (forward_left_arrived_11 - forward_left_cost_11) < 0 then
+        forward_left_cost_11_choice := forward_left_arrived_11;
+      else
+        forward_left_cost_11_choice := forward_left_cost_11;
+      end if;
+      if ((forward_left_cost_11_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_11_choice_2 := 32;
+      else
+        forward_left_cost_11_choice_2 := forward_left_cost_11_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_0_choice := 32;
+      else
+        forward_left_arrived_0_choice := forward_left_cost_1;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_1_choice := 32;
+      else
+        forward_left_arrived_1_choice := forward_left_pair_0_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_2_choice := 32;
+      else
+        forward_left_arrived_2_choice := forward_left_pair_1_choice;
+      end if;
+      if (forward_left_cost_4 - forward_left_cost_2) < 0 then
+        forward_left_arrived_3_choice := forward_left_cost_4;
+      else
+        forward_left_arrived_3_choice := forward_left_cost_2;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_3_choice_2 := 32;
+      else
+        forward_left_arrived_3_choice_2 := forward_left_arrived_3_choice;
+      end if;
+      if (forward_left_cost_5 - forward_left_cost_3) < 0 then
+        forward_left_arrived_4_choice := forward_left_cost_5;
+      else
+        forward_left_arrived_4_choice := forward_left_cost_3;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_4_choice_2 := 32;
+      else
+        forward_left_arrived_4_choice_2 := forward_left_arrived_4_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_5_choice := 32;
+      else
+        forward_left_arrived_5_choice := forward_left_pair_2_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_6_choice := 32;
+      else
+        forward_left_arrived_6_choice := forward_left_pair_3_choice;
+      end if;
+      if (forward_left_cost_8 - forward_left_cost_6) < 0 then
+        forward_left_arrived_7_choice := forward_left_cost_8;
+      else
+        forward_left_arrived_7_choice := forward_left_cost_6;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_7_choice_2 := 32;
+      else
+        forward_left_arrived_7_choice_2 := forward_left_arrived_7_choice;
+      end if;
+      if (forward_left_cost_9 - forward_left_cost_7) < 0 then
+        forward_left_arrived_8_choice := forward_left_cost_9;
+      else
+        forward_left_arrived_8_choice := forward_left_cost_7;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_8_choice_2 := 32;
+      else
+        forward_left_arrived_8_choice_2 := forward_left_arrived_8_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_9_choice := 32;
+      else
+        forward_left_arrived_9_choice := forward_left_pair_4_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_10_choice := 32;
+      else
+        forward_left_arrived_10_choice := forward_left_pair_5_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_11_choice := 32;
+      else
+        forward_left_arrived_11_choice := forward_left_cost_10;
+      end if;
       if entry_tag_valid then
-        forward_smallest_smallest_0 <= entry_cost_1 when (entry_cost_1 - entry_cost_0) < 0 else entry_cost_0;
-        forward_smallest_smallest_1 <= entry_cost_3 when (entry_cost_3 - entry_cost_2) < 0 else entry_cost_2;
-        forward_smallest_smallest_2 <= entry_cost_5 when (entry_cost_5 - entry_cost_4) < 0 else entry_cost_4;
-        forward_smallest_smallest_3 <= entry_cost_7 when (entry_cost_7 - entry_cost_6) < 0 else entry_cost_6;
-        forward_smallest_smallest_4 <= entry_cost_9 when (entry_cost_9 - entry_cost_8) < 0 else entry_cost_8;
-        forward_smallest_smallest_5 <= entry_cost_11 when (entry_cost_11 - entry_cost_10) < 0 else entry_cost_10;
-        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when (forward_smallest_smallest_1 -
-          forward_smallest_smallest_0) < 0 else forward_smallest_smallest_0;
-        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when (forward_smallest_smallest_3 -
-          forward_smallest_smallest_2) < 0 else forward_smallest_smallest_2;
-        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when (forward_smallest_smallest_5 -
-          forward_smallest_smallest_4) < 0 else forward_smallest_smallest_4;
-        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when
-          (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 else
-          forward_smallest_next_smallest_0;
         forward_smallest_next_next_smallest_1 <= forward_smallest_next_smallest_2;
-        forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1 when
-          (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 else
-          forward_smallest_next_next_smallest_0;
-        forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 4 else
-          (forward_cost_delay_ring_read_address + 1) mod 8;
         forward_cost_delay_ring_write_address <= forward_cost_delay_ring_read_address;
         forward_left_pair_0 <= forward_left_pair_0_choice;
         forward_left_pair_1 <= forward_left_pair_1_choice;
@@ -4630,27 +6459,7 @@ begin
         forward_left_pair_3 <= forward_left_pair_3_choice;
         forward_left_pair_4 <= forward_left_pair_4_choice;
         forward_left_pair_5 <= forward_left_pair_5_choice;
-        forward_left_tree_smallest_0 <= forward_left_pair_1 when (forward_left_pair_1 - forward_left_pair_0) < 0 else
-          forward_left_pair_0;
-        forward_left_tree_smallest_1 <= forward_left_pair_3 when (forward_left_pair_3 - forward_left_pair_2) < 0 else
-          forward_left_pair_2;
-        forward_left_tree_smallest_2 <= forward_left_pair_5 when (forward_left_pair_5 - forward_left_pair_4) < 0 else
-          forward_left_pair_4;
-        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when (forward_left_tree_smallest_1 -
-          forward_left_tree_smallest_0) < 0 else forward_left_tree_smallest_0;
         forward_left_tree_next_smallest_1 <= forward_left_tree_smallest_2;
-        forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1 when
-          (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 else
-          forward_left_tree_next_smallest_0;
-        forward_left_start_cost_0 <= 22 when sums_right_first_2 else forward_left_start_cost_0_choice_2;
-        forward_left_start_cost_1 <= 0 when sums_right_first_2 else forward_left_start_cost_0;
-        forward_left_start_cost_2 <= 0 when sums_right_first_2 else forward_left_start_cost_1;
-        forward_left_start_cost_3 <= 0 when sums_right_first_2 else forward_left_start_cost_2;
-        forward_left_start_cost_4 <= 0 when sums_right_first_2 else forward_left_start_cost_3;
-        forward_left_start_cost_5 <= 0 when sums_right_first_2 else forward_left_start_cost_4;
-        forward_left_start_cost_6 <= 0 when sums_right_first_2 else forward_left_start_cost_5;
-        forward_left_room <= 0 when sums_right_first_2 else (forward_left_room_choice_2 + forward_left_start_cost_6)
-          mod 32;
         forward_left_smallest <= forward_smallest_next_next_next_smallest_0;
         forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 + 59) mod 64;
         forward_left_first_0 <= sums_right_first_2;
@@ -4775,20 +6584,142 @@ begin
         forward_smallest_cost_2 <= forward_smallest_cost_1;
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
+        if (entry_cost_1 - entry_cost_0) < 0 then
+          forward_smallest_smallest_0 <= entry_cost_1;
+        else
+          forward_smallest_smallest_0 <= entry_cost_0;
+        end if;
+        if (entry_cost_3 - entry_cost_2) < 0 then
+          forward_smallest_smallest_1 <= entry_cost_3;
+        else
+          forward_smallest_smallest_1 <= entry_cost_2;
+        end if;
+        if (entry_cost_5 - entry_cost_4) < 0 then
+          forward_smallest_smallest_2 <= entry_cost_5;
+        else
+          forward_smallest_smallest_2 <= entry_cost_4;
+        end if;
+        if (entry_cost_7 - entry_cost_6) < 0 then
+          forward_smallest_smallest_3 <= entry_cost_7;
+        else
+          forward_smallest_smallest_3 <= entry_cost_6;
+        end if;
+        if (entry_cost_9 - entry_cost_8) < 0 then
+          forward_smallest_smallest_4 <= entry_cost_9;
+        else
+          forward_smallest_smallest_4 <= entry_cost_8;
+        end if;
+        if (entry_cost_11 - entry_cost_10) < 0 then
+          forward_smallest_smallest_5 <= entry_cost_11;
+        else
+          forward_smallest_smallest_5 <= entry_cost_10;
+        end if;
+        if (forward_smallest_smallest_1 - forward_smallest_smallest_0) < 0 then
+          forward_smallest_next_smallest_0 <= forward_smallest_smallest_1;
+        else
+          forward_smallest_next_smallest_0 <= forward_smallest_smallest_0;
+        end if;
+        if (forward_smallest_smallest_3 - forward_smallest_smallest_2) < 0 then
+          forward_smallest_next_smallest_1 <= forward_smallest_smallest_3;
+        else
+          forward_smallest_next_smallest_1 <= forward_smallest_smallest_2;
+        end if;
+        if (forward_smallest_smallest_5 - forward_smallest_smallest_4) < 0 then
+          forward_smallest_next_smallest_2 <= forward_smallest_smallest_5;
+        else
+          forward_smallest_next_smallest_2 <= forward_smallest_smallest_4;
+        end if;
+        if (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 then
+          forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1;
+        else
+          forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_0;
+        end if;
+        if (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 then
+          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1;
+        else
+          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_0;
+        end if;
+        if forward_cost_delay_ring_read_address = 4 then
+          forward_cost_delay_ring_read_address <= 0;
+        else
+          forward_cost_delay_ring_read_address <= (forward_cost_delay_ring_read_address + 1) mod 8;
+        end if;
+        if (forward_left_pair_1 - forward_left_pair_0) < 0 then
+          forward_left_tree_smallest_0 <= forward_left_pair_1;
+        else
+          forward_left_tree_smallest_0 <= forward_left_pair_0;
+        end if;
+        if (forward_left_pair_3 - forward_left_pair_2) < 0 then
+          forward_left_tree_smallest_1 <= forward_left_pair_3;
+        else
+          forward_left_tree_smallest_1 <= forward_left_pair_2;
+        end if;
+        if (forward_left_pair_5 - forward_left_pair_4) < 0 then
+          forward_left_tree_smallest_2 <= forward_left_pair_5;
+        else
+          forward_left_tree_smallest_2 <= forward_left_pair_4;
+        end if;
+        if (forward_left_tree_smallest_1 - forward_left_tree_smallest_0) < 0 then
+          forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1;
+        else
+          forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_0;
+        end if;
+        if (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 then
+          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1;
+        else
+          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_0;
+        end if;
+        if sums_right_first_2 then
+          forward_left_start_cost_0 <= 22;
+          forward_left_start_cost_1 <= 0;
+          forward_left_start_cost_2 <= 0;
+          forward_left_start_cost_3 <= 0;
+          forward_left_start_cost_4 <= 0;
+          forward_left_start_cost_5 <= 0;
+          forward_left_start_cost_6 <= 0;
+          forward_left_room <= 0;
+        else
+          forward_left_start_cost_0 <= forward_left_start_cost_0_choice_2;
+          forward_left_start_cost_1 <= forward_left_start_cost_0;
+          forward_left_start_cost_2 <= forward_left_start_cost_1;
+          forward_left_start_cost_3 <= forward_left_start_cost_2;
+          forward_left_start_cost_4 <= forward_left_start_cost_3;
+          forward_left_start_cost_5 <= forward_left_start_cost_4;
+          forward_left_start_cost_6 <= forward_left_start_cost_5;
+          forward_left_room <= (forward_left_room_choice_2 + forward_left_start_cost_6) mod 32;
+        end if;
       end if;
       -- sums
-      sums_right_pair_0_choice := sums_right_cost_2 when (sums_right_cost_2 - sums_right_cost_0) < 0 else
-        sums_right_cost_0;
-      sums_right_pair_1_choice := sums_right_cost_3 when (sums_right_cost_3 - sums_right_cost_1) < 0 else
-        sums_right_cost_1;
-      sums_right_pair_2_choice := sums_right_cost_6 when (sums_right_cost_6 - sums_right_cost_4) < 0 else
-        sums_right_cost_4;
-      sums_right_pair_3_choice := sums_right_cost_7 when (sums_right_cost_7 - sums_right_cost_5) < 0 else
-        sums_right_cost_5;
-      sums_right_pair_4_choice := sums_right_cost_10 when (sums_right_cost_10 - sums_right_cost_8) < 0 else
-        sums_right_cost_8;
-      sums_right_pair_5_choice := sums_right_cost_11 when (sums_right_cost_11 - sums_right_cost_9) < 0 else
-        sums_right_cost_9;
+      if (sums_right_cost_2 - sums_right_cost_0) < 0 then
+        sums_right_pair_0_choice := sums_right_cost_2;
+      else
+        sums_right_pair_0_choice := sums_right_cost_0;
+      end if;
+      if (sums_right_cost_3 - sums_right_cost_1) < 0 then
+        sums_right_pair_1_choice := sums_right_cost_3;
+      else
+        sums_right_pair_1_choice := sums_right_cost_1;
+      end if;
+      if (sums_right_cost_6 - sums_right_cost_4) < 0 then
+        sums_right_pair_2_choice := sums_right_cost_6;
+      else
+        sums_right_pair_2_choice := sums_right_cost_4;
+      end if;
+      if (sums_right_cost_7 - sums_right_cost_5) < 0 then
+        sums_right_pair_3_choice := sums_right_cost_7;
+      else
+        sums_right_pair_3_choice := sums_right_cost_5;
+      end if;
+      if (sums_right_cost_10 - sums_right_cost_8) < 0 then
+        sums_right_pair_4_choice := sums_right_cost_10;
+      else
+        sums_right_pair_4_choice := sums_right_cost_8;
+      end if;
+      if (sums_right_cost_11 - sums_right_cost_9) < 0 then
+        sums_right_pair_5_choice := sums_right_cost_11;
+      else
+        sums_right_pair_5_choice := sums_right_cost_9;
+      end if;
       sums_right_start_cost_0_value := (((sums_right_tree_next_next_smallest_0 mod 32) + sums_right_room) / 32) = 1;
       if sums_right_start_cost_0_value then
         sums_right_start_cost_0_choice := (((as_number(sums_right_start_cost_0_value) + 7) mod 8) * 32) +
@@ -4806,75 +6737,211 @@ begin
       else
         sums_right_room_choice := sums_right_room;
       end if;
-      sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 32) = 1 else sums_right_room_choice;
-      sums_right_cost_0_choice := sums_right_arrived_0 when (sums_right_arrived_0 - sums_right_cost_0) < 0 else
-        sums_right_cost_0;
-      sums_right_cost_0_choice_2 := 32 when ((sums_right_cost_0_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_0_choice;
-      sums_right_cost_1_choice := sums_right_arrived_1 when (sums_right_arrived_1 - sums_right_cost_1) < 0 else
-        sums_right_cost_1;
-      sums_right_cost_1_choice_2 := 32 when ((sums_right_cost_1_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_1_choice;
-      sums_right_cost_2_choice := sums_right_arrived_2 when (sums_right_arrived_2 - sums_right_cost_2) < 0 else
-        sums_right_cost_2;
-      sums_right_cost_2_choice_2 := 32 when ((sums_right_cost_2_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_2_choice;
-      sums_right_cost_3_choice := sums_right_arrived_3 when (sums_right_arrived_3 - sums_right_cost_3) < 0 else
-        sums_right_cost_3;
-      sums_right_cost_3_choice_2 := 32 when ((sums_right_cost_3_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_3_choice;
-      sums_right_cost_4_choice := sums_right_arrived_4 when (sums_right_arrived_4 - sums_right_cost_4) < 0 else
-        sums_right_cost_4;
-      sums_right_cost_4_choice_2 := 32 when ((sums_right_cost_4_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_4_choice;
-      sums_right_cost_5_choice := sums_right_arrived_5 when (sums_right_arrived_5 - sums_right_cost_5) < 0 else
-        sums_right_cost_5;
-      sums_right_cost_5_choice_2 := 32 when ((sums_right_cost_5_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_5_choice;
-      sums_right_cost_6_choice := sums_right_arrived_6 when (sums_right_arrived_6 - sums_right_cost_6) < 0 else
-        sums_right_cost_6;
-      sums_right_cost_6_choice_2 := 32 when ((sums_right_cost_6_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_6_choice;
-      sums_right_cost_7_choice := sums_right_arrived_7 when (sums_right_arrived_7 - sums_right_cost_7) < 0 else
-        sums_right_cost_7;
-      sums_right_cost_7_choice_2 := 32 when ((sums_right_cost_7_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_7_choice;
-      sums_right_cost_8_choice := sums_right_arrived_8 when (sums_right_arrived_8 - sums_right_cost_8) < 0 else
-        sums_right_cost_8;
-      sums_right_cost_8_choice_2 := 32 when ((sums_right_cost_8_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_8_choice;
-      sums_right_cost_9_choice := sums_right_arrived_9 when (sums_right_arrived_9 - sums_right_cost_9) < 0 else
-        sums_right_cost_9;
-      sums_right_cost_9_choice_2 := 32 when ((sums_right_cost_9_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_9_choice;
-      sums_right_cost_10_choice := sums_right_arrived_10 when (sums_right_arrived_10 - sums_right_cost_10) < 0 else
-        sums_right_cost_10;
-      sums_right_cost_10_choice_2 := 32 when ((sums_right_cost_10_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_10_choice;
-      sums_right_cost_11_choice := sums_right_arrived_11 when (sums_right_arrived_11 - sums_right_cost_11) < 0 else
-        sums_right_cost_11;
-      sums_right_cost_11_choice_2 := 32 when ((sums_right_cost_11_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_11_choice;
-      sums_right_arrived_0_choice := 32 when forward_first_3 else sums_right_cost_1;
-      sums_right_arrived_1_choice := 32 when forward_first_3 else sums_right_pair_0_choice;
-      sums_right_arrived_2_choice := 32 when forward_first_3 else sums_right_pair_1_choice;
-      sums_right_arrived_3_choice := sums_right_cost_4 when (sums_right_cost_4 - sums_right_cost_2) < 0 else
-        sums_right_cost_2;
-      sums_right_arrived_3_choice_2 := 32 when forward_first_3 else sums_right_arrived_3_choice;
-      sums_right_arrived_4_choice := sums_right_cost_5 when (sums_right_cost_5 - sums_right_cost_3) < 0 else
-        sums_right_cost_3;
-      sums_right_arrived_4_choice_2 := 32 when forward_first_3 else sums_right_arrived_4_choice;
-      sums_right_arrived_5_choice := 32 when forward_first_3 else sums_right_pair_2_choice;
-      sums_right_arrived_6_choice := 32 when forward_first_3 else sums_right_pair_3_choice;
-      sums_right_arrived_7_choice := sums_right_cost_8 when (sums_right_cost_8 - sums_right_cost_6) < 0 else
-        sums_right_cost_6;
-      sums_right_arrived_7_choice_2 := 32 when forward_first_3 else sums_right_arrived_7_choice;
-      sums_right_arrived_8_choice := sums_right_cost_9 when (sums_right_cost_9 - sums_right_cost_7) < 0 else
-        sums_right_cost_7;
-      sums_right_arrived_8_choice_2 := 32 when forward_first_3 else sums_right_arrived_8_choice;
-      sums_right_arrived_9_choice := 32 when forward_first_3 else sums_right_pair_4_choice;
-      sums_right_arrived_10_choice := 32 when forward_first_3 else sums_right_pair_5_choice;
-      sums_right_arrived_11_choice := 32 when forward_first_3 else sums_right_cost_10;
+      if (sums_right_tree_next_next_smallest_0 / 32) = 1 then
+        sums_right_room_choice_2 := 0;
+      else
+        sums_right_room_choice_2 := sums_right_room_choice;
+      end if;
+      if (sums_right_arrived_0 - sums_right_cost_0) < 0 then
+        sums_right_cost_0_choice := sums_right_arrived_0;
+      else
+        sums_right_cost_0_choice := sums_right_cost_0;
+      end if;
+      if ((sums_right_cost_0_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_0_choice_2 := 32;
+      else
+        sums_right_cost_0_choice_2 := sums_right_cost_0_choice;
+      end if;
+      if (sums_right_arrived_1 - sums_right_cost_1) < 0 then
+        sums_right_cost_1_choice := sums_right_arrived_1;
+      else
+        sums_right_cost_1_choice := sums_right_cost_1;
+      end if;
+      if ((sums_right_cost_1_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_1_choice_2 := 32;
+      else
+        sums_right_cost_1_choice_2 := sums_right_cost_1_choice;
+      end if;
+      if (sums_right_arrived_2 - sums_right_cost_2) < 0 then
+        sums_right_cost_2_choice := sums_right_arrived_2;
+      else
+        sums_right_cost_2_choice := sums_right_cost_2;
+      end if;
+      if ((sums_right_cost_2_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_2_choice_2 := 32;
+      else
+        sums_right_cost_2_choice_2 := sums_right_cost_2_choice;
+      end if;
+      if (sums_right_arrived_3 - sums_right_cost_3) < 0 then
+        sums_right_cost_3_choice := sums_right_arrived_3;
+      else
+        sums_right_cost_3_choice := sums_right_cost_3;
+      end if;
+      if ((sums_right_cost_3_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_3_choice_2 := 32;
+      else
+        sums_right_cost_3_choice_2 := sums_right_cost_3_choice;
+      end if;
+      if (sums_right_arrived_4 - sums_right_cost_4) < 0 then
+        sums_right_cost_4_choice := sums_right_arrived_4;
+      else
+        sums_right_cost_4_choice := sums_right_cost_4;
+      end if;
+      if ((sums_right_cost_4_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_4_choice_2 := 32;
+      else
+        sums_right_cost_4_choice_2 := sums_right_cost_4_choice;
+      end if;
+      if (sums_right_arrived_5 - sums_right_cost_5) < 0 then
+        sums_right_cost_5_choice := sums_right_arrived_5;
+      else
+        sums_right_cost_5_choice := sums_right_cost_5;
+      end if;
+      if ((sums_right_cost_5_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_5_choice_2 := 32;
+      else
+        sums_right_cost_5_choice_2 := sums_right_cost_5_choice;
+      end if;
+      if (sums_right_arrived_6 - sums_right_cost_6) < 0 then
+        sums_right_cost_6_choice := sums_right_arrived_6;
+      else
+        sums_right_cost_6_choice := sums_right_cost_6;
+      end if;
+      if ((sums_right_cost_6_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_6_choice_2 := 32;
+      else
+        sums_right_cost_6_choice_2 := sums_right_cost_6_choice;
+      end if;
+      if (sums_right_arrived_7 - sums_right_cost_7) < 0 then
+        sums_right_cost_7_choice := sums_right_arrived_7;
+      else
+        sums_right_cost_7_choice := sums_right_cost_7;
+      end if;
+      if ((sums_right_cost_7_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_7_choice_2 := 32;
+      else
+        sums_right_cost_7_choice_2 := sums_right_cost_7_choice;
+      end if;
+      if (sums_right_arrived_8 - sums_right_cost_8) < 0 then
+        sums_right_cost_8_choice := sums_right_arrived_8;
+      else
+        sums_right_cost_8_choice := sums_right_cost_8;
+      end if;
+      if ((sums_right_cost_8_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_8_choice_2 := 32;
+      else
+        sums_right_cost_8_choice_2 := sums_right_cost_8_choice;
+      end if;
+      if (sums_right_arrived_9 - sums_right_cost_9) < 0 then
+        sums_right_cost_9_choice := sums_right_arrived_9;
+      else
+        sums_right_cost_9_choice := sums_right_cost_9;
+      end if;
+      if ((sums_right_cost_9_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_9_choice_2 := 32;
+      else
+        sums_right_cost_9_choice_2 := sums_right_cost_9_choice;
+      end if;
+      if (sums_right_arrived_10 - sums_right_cost_10) < 0 then
+        sums_right_cost_10_choice := sums_right_arrived_10;
+      else
+        sums_right_cost_10_choice := sums_right_cost_10;
+      end if;
+      if ((sums_right_cost_10_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_10_choice_2 := 32;
+      else
+        sums_right_cost_10_choice_2 := sums_right_cost_10_choice;
+      end if;
+      if (sums_right_arrived_11 - sums_right_cost_11) < 0 then
+        sums_right_cost_11_choice := sums_right_arrived_11;
+      else
+        sums_right_cost_11_choice := sums_right_cost_11;
+      end if;
+      if ((sums_right_cost_11_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_11_choice_2 := 32;
+      else
+        sums_right_cost_11_choice_2 := sums_right_cost_11_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_0_choice := 32;
+      else
+        sums_right_arrived_0_choice := sums_right_cost_1;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_1_choice := 32;
+      else
+        sums_right_arrived_1_choice := sums_right_pair_0_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_2_choice := 32;
+      else
+        sums_right_arrived_2_choice := sums_right_pair_1_choice;
+      end if;
+      if (sums_right_cost_4 - sums_right_cost_2) < 0 then
+        sums_right_arrived_3_choice := sums_right_cost_4;
+      else
+        sums_right_arrived_3_choice := sums_right_cost_2;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_3_choice_2 := 32;
+      else
+        sums_right_arrived_3_choice_2 := sums_right_arrived_3_choice;
+      end if;
+      if (sums_right_cost_5 - sums_right_cost_3) < 0 then
+        sums_right_arrived_4_choice := sums_right_cost_5;
+      else
+        sums_right_arrived_4_choice := sums_right_cost_3;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_4_choice_2 := 32;
+      else
+        sums_right_arrived_4_choice_2 := sums_right_arrived_4_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_5_choice := 32;
+      else
+        sums_right_arrived_5_choice := sums_right_pair_2_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_6_choice := 32;
+      else
+        sums_right_arrived_6_choice := sums_right_pair_3_choice;
+      end if;
+      if (sums_right_cost_8 - sums_right_cost_6) < 0 then
+        sums_right_arrived_7_choice := sums_right_cost_8;
+      else
+        sums_right_arrived_7_choice := sums_right_cost_6;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_7_choice_2 := 32;
+      else
+        sums_right_arrived_7_choice_2 := sums_right_arrived_7_choice;
+      end if;
+      if (sums_right_cost_9 - sums_right_cost_7) < 0 then
+        sums_right_arrived_8_choice := sums_right_cost_9;
+      else
+        sums_right_arrived_8_choice := sums_right_cost_7;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_8_choice_2 := 32;
+      else
+        sums_right_arrived_8_choice_2 := sums_right_arrived_8_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_9_choice := 32;
+      else
+        sums_right_arrived_9_choice := sums_right_pair_4_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_10_choice := 32;
+      else
+        sums_right_arrived_10_choice := sums_right_pair_5_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_11_choice := 32;
+      else
+        sums_right_arrived_11_choice := sums_right_cost_10;
+      end if;
       if entry_tag_valid then
         sums_turn_ready_sums_0 <= to_integer(sums_turn_read_sums_0);
         sums_turn_ready_sums_1 <= to_integer(sums_turn_read_sums_1);
@@ -4931,25 +6998,7 @@ begin
         sums_right_pair_3 <= sums_right_pair_3_choice;
         sums_right_pair_4 <= sums_right_pair_4_choice;
         sums_right_pair_5 <= sums_right_pair_5_choice;
-        sums_right_tree_smallest_0 <= sums_right_pair_1 when (sums_right_pair_1 - sums_right_pair_0) < 0 else
-          sums_right_pair_0;
-        sums_right_tree_smallest_1 <= sums_right_pair_3 when (sums_right_pair_3 - sums_right_pair_2) < 0 else
-          sums_right_pair_2;
-        sums_right_tree_smallest_2 <= sums_right_pair_5 when (sums_right_pair_5 - sums_right_pair_4) < 0 else
-          sums_right_pair_4;
-        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when (sums_right_tree_smallest_1 -
-          sums_right_tree_smallest_0) < 0 else sums_right_tree_smallest_0;
         sums_right_tree_next_smallest_1 <= sums_right_tree_smallest_2;
-        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when (sums_right_tree_next_smallest_1 -
-          sums_right_tree_next_smallest_0) < 0 else sums_right_tree_next_smallest_0;
-        sums_right_start_cost_0 <= 22 when forward_first_0 else sums_right_start_cost_0_choice_2;
-        sums_right_start_cost_1 <= 0 when forward_first_0 else sums_right_start_cost_0;
-        sums_right_start_cost_2 <= 0 when forward_first_0 else sums_right_start_cost_1;
-        sums_right_start_cost_3 <= 0 when forward_first_0 else sums_right_start_cost_2;
-        sums_right_start_cost_4 <= 0 when forward_first_0 else sums_right_start_cost_3;
-        sums_right_start_cost_5 <= 0 when forward_first_0 else sums_right_start_cost_4;
-        sums_right_start_cost_6 <= 0 when forward_first_0 else sums_right_start_cost_5;
-        sums_right_room <= 0 when forward_first_0 else (sums_right_room_choice_2 + sums_right_start_cost_6) mod 32;
         sums_right_smallest <= sums_turn_ready_smallest_0;
         sums_right_smallest_less <= (sums_turn_ready_smallest_0 + 59) mod 64;
         sums_right_first_0 <= sums_turn_ready_first;
@@ -5005,8 +7054,6 @@ begin
         sums_right_arrived_9 <= (sums_right_arrived_9_choice + sums_right_step_change_9) mod 64;
         sums_right_arrived_10 <= (sums_right_arrived_10_choice + sums_right_step_change_10) mod 64;
         sums_right_arrived_11 <= (sums_right_arrived_11_choice + sums_right_step_change_11) mod 64;
-        sums_sum_delay_ring_read_address <= 0 when sums_sum_delay_ring_read_address = 3 else
-          (sums_sum_delay_ring_read_address + 1) mod 4;
         sums_sum_delay_ring_write_address <= sums_sum_delay_ring_read_address;
         sums_tags_held_0_output_column <= entry_turned_output_column;
         sums_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
@@ -5023,8 +7070,61 @@ begin
         sums_tags_held_4_output_column <= sums_tags_held_3_output_column;
         sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
         sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
+        if (sums_right_pair_1 - sums_right_pair_0) < 0 then
+          sums_right_tree_smallest_0 <= sums_right_pair_1;
+        else
+          sums_right_tree_smallest_0 <= sums_right_pair_0;
+        end if;
+        if (sums_right_pair_3 - sums_right_pair_2) < 0 then
+          sums_right_tree_smallest_1 <= sums_right_pair_3;
+        else
+          sums_right_tree_smallest_1 <= sums_right_pair_2;
+        end if;
+        if (sums_right_pair_5 - sums_right_pair_4) < 0 then
+          sums_right_tree_smallest_2 <= sums_right_pair_5;
+        else
+          sums_right_tree_smallest_2 <= sums_right_pair_4;
+        end if;
+        if (sums_right_tree_smallest_1 - sums_right_tree_smallest_0) < 0 then
+          sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1;
+        else
+          sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_0;
+        end if;
+        if (sums_right_tree_next_smallest_1 - sums_right_tree_next_smallest_0) < 0 then
+          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1;
+        else
+          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_0;
+        end if;
+        if forward_first_0 then
+          sums_right_start_cost_0 <= 22;
+          sums_right_start_cost_1 <= 0;
+          sums_right_start_cost_2 <= 0;
+          sums_right_start_cost_3 <= 0;
+          sums_right_start_cost_4 <= 0;
+          sums_right_start_cost_5 <= 0;
+          sums_right_start_cost_6 <= 0;
+          sums_right_room <= 0;
+        else
+          sums_right_start_cost_0 <= sums_right_start_cost_0_choice_2;
+          sums_right_start_cost_1 <= sums_right_start_cost_0;
+          sums_right_start_cost_2 <= sums_right_start_cost_1;
+          sums_right_start_cost_3 <= sums_right_start_cost_2;
+          sums_right_start_cost_4 <= sums_right_start_cost_3;
+          sums_right_start_cost_5 <= sums_right_start_cost_4;
+          sums_right_start_cost_6 <= sums_right_start_cost_5;
+          sums_right_room <= (sums_right_room_choice_2 + sums_right_start_cost_6) mod 32;
+        end if;
+        if sums_sum_delay_ring_read_address = 3 then
+          sums_sum_delay_ring_read_address <= 0;
+        else
+          sums_sum_delay_ring_read_address <= (sums_sum_delay_ring_read_address + 1) mod 4;
+        end if;
       end if;
-      sums_turn_writes_copy_0_choice := sums_turn_comes_7 when entry_tag_valid else sums_turn_comes_8;
+      if entry_tag_valid then
+        sums_turn_writes_copy_0_choice := sums_turn_comes_7;
+      else
+        sums_turn_writes_copy_0_choice := sums_turn_comes_8;
+      end if;
       sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
       sums_sum_0_0 <= sums_right_cost_0 + to_integer(sums_sum_delay_held_0(5 downto 0));
       sums_sum_0_1 <= sums_right_cost_1 + to_integer(sums_sum_delay_held_0(11 downto 6));
@@ -5059,308 +7159,505 @@ begin
         sums_turn_write_place <= sums_turn_place_8;
       end if;
       -- winnerswinner1
-      winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1))
-        when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice when ((sums_sum_0_0 / 2) mod 2) = 1 else
-        ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+      if (sums_sum_0_0 mod 2) = 1 then
+        winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_0_choice := not (((sums_sum_0_1 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_0 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice;
+      else
+        winnerswinner1_of_pair_0_0_choice_2 := ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_0_value when winnerswinner1_of_pair_0_0_choice_2 else (not (((sums_sum_0_0 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_0_value;
+      if winnerswinner1_of_pair_0_0_choice_2 then
+        winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value;
+      else
+        winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value;
+      end if;
       winnerswinner1_of_pair_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_0_value_2 when winnerswinner1_of_pair_0_0_choice_3 else (not (((sums_sum_0_0 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_0_value_2;
+      if winnerswinner1_of_pair_0_0_choice_3 then
+        winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_2;
+      else
+        winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_2;
+      end if;
       winnerswinner1_of_pair_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_0_value_3 when winnerswinner1_of_pair_0_0_choice_4 else (not (((sums_sum_0_0 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_0_value_3;
+      if winnerswinner1_of_pair_0_0_choice_4 then
+        winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_3;
+      else
+        winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_3;
+      end if;
       winnerswinner1_of_pair_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_0_value_4 when winnerswinner1_of_pair_0_0_choice_5 else (not (((sums_sum_0_0 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_0_value_4;
-      winnerswinner1_of_pair_0_0_choice_7 := ((sums_sum_0_0 / 64) = 1) and (not ((sums_sum_0_1 / 64) = 1)) when
-        winnerswinner1_of_pair_0_0_choice_6 else ((sums_sum_0_0 / 64) = 1) or (not ((sums_sum_0_1 / 64) = 1));
-      winnerswinner1_of_pair_0_2_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1))
-        when (sums_sum_0_2 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_2_choice_2 := winnerswinner1_of_pair_0_2_choice when ((sums_sum_0_2 / 2) mod 2) = 1 else
-        ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+      if winnerswinner1_of_pair_0_0_choice_5 then
+        winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_4;
+      else
+        winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_4;
+      end if;
+      if winnerswinner1_of_pair_0_0_choice_6 then
+        winnerswinner1_of_pair_0_0_choice_7 := ((sums_sum_0_0 / 64) = 1) and (not ((sums_sum_0_1 / 64) = 1));
+      else
+        winnerswinner1_of_pair_0_0_choice_7 := ((sums_sum_0_0 / 64) = 1) or (not ((sums_sum_0_1 / 64) = 1));
+      end if;
+      if (sums_sum_0_2 mod 2) = 1 then
+        winnerswinner1_of_pair_0_2_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_2_choice := not (((sums_sum_0_3 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_2 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_2_choice_2 := winnerswinner1_of_pair_0_2_choice;
+      else
+        winnerswinner1_of_pair_0_2_choice_2 := ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_2_value := ((sums_sum_0_3 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_2_value when winnerswinner1_of_pair_0_2_choice_2 else (not (((sums_sum_0_2 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_2_value;
+      if winnerswinner1_of_pair_0_2_choice_2 then
+        winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value;
+      else
+        winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value;
+      end if;
       winnerswinner1_of_pair_0_2_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_2_value_2 when winnerswinner1_of_pair_0_2_choice_3 else (not (((sums_sum_0_2 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_2_value_2;
+      if winnerswinner1_of_pair_0_2_choice_3 then
+        winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_2;
+      else
+        winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_2;
+      end if;
       winnerswinner1_of_pair_0_2_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_2_value_3 when winnerswinner1_of_pair_0_2_choice_4 else (not (((sums_sum_0_2 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_2_value_3;
+      if winnerswinner1_of_pair_0_2_choice_4 then
+        winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_3;
+      else
+        winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_3;
+      end if;
       winnerswinner1_of_pair_0_2_value_4 := ((sums_sum_0_3 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_2_value_4 when winnerswinner1_of_pair_0_2_choice_5 else (not (((sums_sum_0_2 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_2_value_4;
-      winnerswinner1_of_pair_0_2_choice_7 := ((sums_sum_0_2 / 64) = 1) and (not ((sums_sum_0_3 / 64) = 1)) when
-        winnerswinner1_of_pair_0_2_choice_6 else ((sums_sum_0_2 / 64) = 1) or (not ((sums_sum_0_3 / 64) = 1));
-      winnerswinner1_of_pair_0_4_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1))
-        when (sums_sum_0_4 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_4_choice_2 := winnerswinner1_of_pair_0_4_choice when ((sums_sum_0_4 / 2) mod 2) = 1 else
-        ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
+      if winnerswinner1_of_pair_0_2_choice_5 then
+        winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_4;
+      else
+        winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_4;
+      end if;
+      if winnerswinner1_of_pair_0_2_choice_6 then
+        winnerswinner1_of_pair_0_2_choice_7 := ((sums_sum_0_2 / 64) = 1) and (not ((sums_sum_0_3 / 64) = 1));
+      else
+        winnerswinner1_of_pair_0_2_choice_7 := ((sums_sum_0_2 / 64) = 1) or (not ((sums_sum_0_3 / 64) = 1));
+      end if;
+      if (sums_sum_0_4 mod 2) = 1 then
+        winnerswinner1_of_pair_0_4_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_4_choice := not (((sums_sum_0_5 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_4 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_4_choice_2 := winnerswinner1_of_pair_0_4_choice;
+      else
+        winnerswinner1_of_pair_0_4_choice_2 := ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_4_value := ((sums_sum_0_5 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_4_value when winnerswinner1_of_pair_0_4_choice_2 else (not (((sums_sum_0_4 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_4_value;
+      if winnerswinner1_of_pair_0_4_choice_2 then
+        winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value;
+      else
+        winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value;
+      end if;
       winnerswinner1_of_pair_0_4_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_4_value_2 when winnerswinner1_of_pair_0_4_choice_3 else (not (((sums_sum_0_4 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_4_value_2;
+      if winnerswinner1_of_pair_0_4_choice_3 then
+        winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_2;
+      else
+        winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_2;
+      end if;
       winnerswinner1_of_pair_0_4_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_4_value_3 when winnerswinner1_of_pair_0_4_choice_4 else (not (((sums_sum_0_4 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_4_value_3;
+      if winnerswinner1_of_pair_0_4_choice_4 then
+        winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_3;
+      else
+        winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_3;
+      end if;
       winnerswinner1_of_pair_0_4_value_4 := ((sums_sum_0_5 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_4_value_4 when winnerswinner1_of_pair_0_4_choice_5 else (not (((sums_sum_0_4 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_4_value_4;
-      winnerswinner1_of_pair_0_4_choice_7 := ((sums_sum_0_4 / 64) = 1) and (not ((sums_sum_0_5 / 64) = 1)) when
-        winnerswinner1_of_pair_0_4_choice_6 else ((sums_sum_0_4 / 64) = 1) or (not ((sums_sum_0_5 / 64) = 1));
-      winnerswinner1_of_pair_0_6_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1))
-        when (sums_sum_0_6 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_6_choice_2 := winnerswinner1_of_pair_0_6_choice when ((sums_sum_0_6 / 2) mod 2) = 1 else
-        ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
+      if winnerswinner1_of_pair_0_4_choice_5 then
+        winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_4;
+      else
+        winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_4;
+      end if;
+      if winnerswinner1_of_pair_0_4_choice_6 then
+        winnerswinner1_of_pair_0_4_choice_7 := ((sums_sum_0_4 / 64) = 1) and (not ((sums_sum_0_5 / 64) = 1));
+      else
+        winnerswinner1_of_pair_0_4_choice_7 := ((sums_sum_0_4 / 64) = 1) or (not ((sums_sum_0_5 / 64) = 1));
+      end if;
+      if (sums_sum_0_6 mod 2) = 1 then
+        winnerswinner1_of_pair_0_6_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_6_choice := not (((sums_sum_0_7 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_6 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_6_choice_2 := winnerswinner1_of_pair_0_6_choice;
+      else
+        winnerswinner1_of_pair_0_6_choice_2 := ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_6_value := ((sums_sum_0_7 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_6_value when winnerswinner1_of_pair_0_6_choice_2 else (not (((sums_sum_0_6 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_6_value;
+      if winnerswinner1_of_pair_0_6_choice_2 then
+        winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value;
+      else
+        winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value;
+      end if;
       winnerswinner1_of_pair_0_6_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_6_value_2 when winnerswinner1_of_pair_0_6_choice_3 else (not (((sums_sum_0_6 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_6_value_2;
+      if winnerswinner1_of_pair_0_6_choice_3 then
+        winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_2;
+      else
+        winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_2;
+      end if;
       winnerswinner1_of_pair_0_6_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_6_value_3 when winnerswinner1_of_pair_0_6_choice_4 else (not (((sums_sum_0_6 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_6_value_3;
+      if winnerswinner1_of_pair_0_6_choice_4 then
+        winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_3;
+      else
+        winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_3;
+      end if;
       winnerswinner1_of_pair_0_6_value_4 := ((sums_sum_0_7 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_6_value_4 when winnerswinner1_of_pair_0_6_choice_5 else (not (((sums_sum_0_6 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_6_value_4;
-      winnerswinner1_of_pair_0_6_choice_7 := ((sums_sum_0_6 / 64) = 1) and (not ((sums_sum_0_7 / 64) = 1)) when
-        winnerswinner1_of_pair_0_6_choice_6 else ((sums_sum_0_6 / 64) = 1) or (not ((sums_sum_0_7 / 64) = 1));
-      winnerswinner1_of_pair_0_8_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1))
-        when (sums_sum_0_8 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_8_choice_2 := winnerswinner1_of_pair_0_8_choice when ((sums_sum_0_8 / 2) mod 2) = 1 else
-        ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
+      if winnerswinner1_of_pair_0_6_choice_5 then
+        winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_4;
+      else
+        winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_4;
+      end if;
+      if winnerswinner1_of_pair_0_6_choice_6 then
+        winnerswinner1_of_pair_0_6_choice_7 := ((sums_sum_0_6 / 64) = 1) and (not ((sums_sum_0_7 / 64) = 1));
+      else
+        winnerswinner1_of_pair_0_6_choice_7 := ((sums_sum_0_6 / 64) = 1) or (not ((sums_sum_0_7 / 64) = 1));
+      end if;
+      if (sums_sum_0_8 mod 2) = 1 then
+        winnerswinner1_of_pair_0_8_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_8_choice := not (((sums_sum_0_9 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_8 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_8_choice_2 := winnerswinner1_of_pair_0_8_choice;
+      else
+        winnerswinner1_of_pair_0_8_choice_2 := ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_8_value := ((sums_sum_0_9 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_8_value when winnerswinner1_of_pair_0_8_choice_2 else (not (((sums_sum_0_8 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_8_value;
+      if winnerswinner1_of_pair_0_8_choice_2 then
+        winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value;
+      else
+        winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value;
+      end if;
       winnerswinner1_of_pair_0_8_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_8_value_2 when winnerswinner1_of_pair_0_8_choice_3 else (not (((sums_sum_0_8 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_8_value_2;
+      if winnerswinner1_of_pair_0_8_choice_3 then
+        winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value_2;
+      else
+        winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value_2;
+      end if;
       winnerswinner1_of_pair_0_8_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_8_value_3 when winnerswinner1_of_pair_0_8_choice_4 else (not (((sums_sum_0_8 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_8_value_3;
+      if winnerswinner1_of_pair_0_8_choice_4 then
+        winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value_3;
+      else
+        winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value_3;
+      end if;
       winnerswinner1_of_pair_0_8_value_4 := ((sums_sum_0_9 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_8_value_4 when winnerswinner1_of_pair_0_8_choice_5 else (not (((sums_sum_0_8 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_8_value_4;
-      winnerswinner1_of_pair_0_8_choice_7 := ((sums_sum_0_8 / 64) = 1) and (not ((sums_sum_0_9 / 64) = 1)) when
-        winnerswinner1_of_pair_0_8_choice_6 else ((sums_sum_0_8 / 64) = 1) or (not ((sums_sum_0_9 / 64) = 1));
-      winnerswinner1_of_pair_0_10_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
-        1)) when (sums_sum_0_10 mod 2) = 1 else not (((sums_sum_0_11 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_10_choice_2 := winnerswinner1_of_pair_0_10_choice when ((sums_sum_0_10 / 2) mod 2) = 1
-        else ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
+      if winnerswinner1_of_pair_0_8_choice_5 then
+        winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value_4;
+      else
+        winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value_4;
+      end if;
+      if winnerswinner1_of_pair_0_8_choice_6 then
+        winnerswinner1_of_pair_0_8_choice_7 := ((sums_sum_0_8 / 64) = 1) and (not ((sums_sum_0_9 / 64) = 1));
+      else
+        winnerswinner1_of_pair_0_8_choice_7 := ((sums_sum_0_8 / 64) = 1) or (not ((sums_sum_0_9 / 64) = 1));
+      end if;
+      if (sums_sum_0_10 mod 2) = 1 then
+        winnerswinner1_of_pair_0_10_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
+          1));
+      else
+        winnerswinner1_of_pair_0_10_choice := not (((sums_sum_0_11 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_10 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_10_choice_2 := winnerswinner1_of_pair_0_10_choice;
+      else
+        winnerswinner1_of_pair_0_10_choice_2 := ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_10_value := ((sums_sum_0_11 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_10_value when winnerswinner1_of_pair_0_10_choice_2 else (not (((sums_sum_0_10 / 4) mod
-        2) = 1)) or winnerswinner1_of_pair_0_10_value;
+      if winnerswinner1_of_pair_0_10_choice_2 then
+        winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value;
+      else
+        winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value;
+      end if;
       winnerswinner1_of_pair_0_10_value_2 := ((sums_sum_0_11 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_10_value_2 when winnerswinner1_of_pair_0_10_choice_3 else (not (((sums_sum_0_10 / 8)
-        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_2;
+      if winnerswinner1_of_pair_0_10_choice_3 then
+        winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value_2;
+      else
+        winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value_2;
+      end if;
       winnerswinner1_of_pair_0_10_value_3 := ((sums_sum_0_11 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_10_value_3 when winnerswinner1_of_pair_0_10_choice_4 else (not (((sums_sum_0_10 / 16)
-        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_3;
+      if winnerswinner1_of_pair_0_10_choice_4 then
+        winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value_3;
+      else
+        winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value_3;
+      end if;
       winnerswinner1_of_pair_0_10_value_4 := ((sums_sum_0_11 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_10_value_4 when winnerswinner1_of_pair_0_10_choice_5 else (not (((sums_sum_0_10 / 32)
-        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_4;
-      winnerswinner1_of_pair_0_10_choice_7 := ((sums_sum_0_10 / 64) = 1) and (not ((sums_sum_0_11 / 64) = 1)) when
-        winnerswinner1_of_pair_0_10_choice_6 else ((sums_sum_0_10 / 64) = 1) or (not ((sums_sum_0_11 / 64) = 1));
-      winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_2 mod 2) = 1)) when (winnerswinner1_of_pair_0_1 mod 2) = 1 else
-        ((winnerswinner1_of_pair_0_0 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      if winnerswinner1_of_pair_0_10_choice_5 then
+        winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value_4;
+      else
+        winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value_4;
+      end if;
+      if winnerswinner1_of_pair_0_10_choice_6 then
+        winnerswinner1_of_pair_0_10_choice_7 := ((sums_sum_0_10 / 64) = 1) and (not ((sums_sum_0_11 / 64) = 1));
+      else
+        winnerswinner1_of_pair_0_10_choice_7 := ((sums_sum_0_10 / 64) = 1) or (not ((sums_sum_0_11 / 64) = 1));
+      end if;
+      if (winnerswinner1_of_pair_0_1 mod 2) = 1 then
+        winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
+          ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      else
+        winnerswinner1_of_four_0_0_choice := ((winnerswinner1_of_pair_0_0 mod 2) = 1) and (not
+          ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      end if;
       winnerswinner1_of_four_0_0_value := ((winnerswinner1_of_pair_0_1 / 2) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_2 := ((winnerswinner1_of_pair_0_0 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value or
-        winnerswinner1_of_four_0_0_value_2 when (not (((winnerswinner1_of_pair_0_3 / 2) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_2 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_0_choice and
-        (winnerswinner1_of_four_0_0_value or winnerswinner1_of_four_0_0_value_2);
+      if (not (((winnerswinner1_of_pair_0_3 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_2 / 2) mod 2) = 1))
+        then
+        winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value or
+          winnerswinner1_of_four_0_0_value_2;
+      else
+        winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice and (winnerswinner1_of_four_0_0_value
+          or winnerswinner1_of_four_0_0_value_2);
+      end if;
       winnerswinner1_of_four_0_0_value_3 := ((winnerswinner1_of_pair_0_3 / 4) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_4 := ((winnerswinner1_of_pair_0_2 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_3 := (not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_3 or
-        winnerswinner1_of_four_0_0_value_4) when winnerswinner1_of_four_0_0_choice_2 else ((not
-        (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1))) or
-        winnerswinner1_of_four_0_0_value_3 or winnerswinner1_of_four_0_0_value_4;
+      if winnerswinner1_of_four_0_0_choice_2 then
+        winnerswinner1_of_four_0_0_choice_3 := (not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_3 or
+          winnerswinner1_of_four_0_0_value_4);
+      else
+        winnerswinner1_of_four_0_0_choice_3 := ((not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_3 or
+          winnerswinner1_of_four_0_0_value_4;
+      end if;
       winnerswinner1_of_four_0_0_value_5 := ((winnerswinner1_of_pair_0_3 / 8) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_6 := ((winnerswinner1_of_pair_0_2 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_4 := ((not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_5 or
-        winnerswinner1_of_four_0_0_value_6 when winnerswinner1_of_four_0_0_choice_3 else (not
-        (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_0_value_5 or winnerswinner1_of_four_0_0_value_6);
+      if winnerswinner1_of_four_0_0_choice_3 then
+        winnerswinner1_of_four_0_0_choice_4 := ((not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_5 or
+          winnerswinner1_of_four_0_0_value_6;
+      else
+        winnerswinner1_of_four_0_0_choice_4 := (not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_5 or
+          winnerswinner1_of_four_0_0_value_6);
+      end if;
       winnerswinner1_of_four_0_0_value_7 := ((winnerswinner1_of_pair_0_3 / 16) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_8 := ((winnerswinner1_of_pair_0_2 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_5 := ((not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_7 or
-        winnerswinner1_of_four_0_0_value_8 when winnerswinner1_of_four_0_0_choice_4 else (not
-        (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_0_value_7 or winnerswinner1_of_four_0_0_value_8);
+      if winnerswinner1_of_four_0_0_choice_4 then
+        winnerswinner1_of_four_0_0_choice_5 := ((not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_7 or
+          winnerswinner1_of_four_0_0_value_8;
+      else
+        winnerswinner1_of_four_0_0_choice_5 := (not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_7 or
+          winnerswinner1_of_four_0_0_value_8);
+      end if;
       winnerswinner1_of_four_0_0_value_9 := ((winnerswinner1_of_pair_0_3 / 32) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_10 := ((winnerswinner1_of_pair_0_2 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_6 := ((not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_9 or
-        winnerswinner1_of_four_0_0_value_10 when winnerswinner1_of_four_0_0_choice_5 else (not
-        (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_0_value_9 or winnerswinner1_of_four_0_0_value_10);
-      winnerswinner1_of_four_0_0_choice_7 := (not ((not ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not
-        ((winnerswinner1_of_pair_0_0 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not
-        ((winnerswinner1_of_pair_0_2 / 64) = 1)) when winnerswinner1_of_four_0_0_choice_6 else (not ((not
-        ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_0 / 64) = 1)))) or ((not
-        ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_2 / 64) = 1)));
-      winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_6 mod 2) = 1)) when (winnerswinner1_of_pair_0_5 mod 2) = 1 else
-        ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      if winnerswinner1_of_four_0_0_choice_5 then
+        winnerswinner1_of_four_0_0_choice_6 := ((not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_9 or
+          winnerswinner1_of_four_0_0_value_10;
+      else
+        winnerswinner1_of_four_0_0_choice_6 := (not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_9 or
+          winnerswinner1_of_four_0_0_value_10);
+      end if;
+      if winnerswinner1_of_four_0_0_choice_6 then
+        winnerswinner1_of_four_0_0_choice_7 := (not ((not ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_0 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_2 / 64) = 1));
+      else
+        winnerswinner1_of_four_0_0_choice_7 := (not ((not ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_0 / 64) = 1)))) or ((not ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_2 / 64) = 1)));
+      end if;
+      if (winnerswinner1_of_pair_0_5 mod 2) = 1 then
+        winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
+          ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      else
+        winnerswinner1_of_four_0_4_choice := ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not
+          ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      end if;
       winnerswinner1_of_four_0_4_value := ((winnerswinner1_of_pair_0_5 / 2) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_2 := ((winnerswinner1_of_pair_0_4 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value or
-        winnerswinner1_of_four_0_4_value_2 when (not (((winnerswinner1_of_pair_0_7 / 2) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_6 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_4_choice and
-        (winnerswinner1_of_four_0_4_value or winnerswinner1_of_four_0_4_value_2);
+      if (not (((winnerswinner1_of_pair_0_7 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_6 / 2) mod 2) = 1))
+        then
+        winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value or
+          winnerswinner1_of_four_0_4_value_2;
+      else
+        winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice and (winnerswinner1_of_four_0_4_value
+          or winnerswinner1_of_four_0_4_value_2);
+      end if;
       winnerswinner1_of_four_0_4_value_3 := ((winnerswinner1_of_pair_0_7 / 4) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_4 := ((winnerswinner1_of_pair_0_6 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_3 := (not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_3 or
-        winnerswinner1_of_four_0_4_value_4) when winnerswinner1_of_four_0_4_choice_2 else ((not
-        (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1))) or
-        winnerswinner1_of_four_0_4_value_3 or winnerswinner1_of_four_0_4_value_4;
+      if winnerswinner1_of_four_0_4_choice_2 then
+        winnerswinner1_of_four_0_4_choice_3 := (not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_3 or
+          winnerswinner1_of_four_0_4_value_4);
+      else
+        winnerswinner1_of_four_0_4_choice_3 := ((not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_3 or
+          winnerswinner1_of_four_0_4_value_4;
+      end if;
       winnerswinner1_of_four_0_4_value_5 := ((winnerswinner1_of_pair_0_7 / 8) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_6 := ((winnerswinner1_of_pair_0_6 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_4 := ((not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_5 or
-        winnerswinner1_of_four_0_4_value_6 when winnerswinner1_of_four_0_4_choice_3 else (not
-        (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_4_value_5 or winnerswinner1_of_four_0_4_value_6);
+      if winnerswinner1_of_four_0_4_choice_3 then
+        winnerswinner1_of_four_0_4_choice_4 := ((not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_5 or
+          winnerswinner1_of_four_0_4_value_6;
+      else
+        winnerswinner1_of_four_0_4_choice_4 := (not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_5 or
+          winnerswinner1_of_four_0_4_value_6);
+      end if;
       winnerswinner1_of_four_0_4_value_7 := ((winnerswinner1_of_pair_0_7 / 16) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_8 := ((winnerswinner1_of_pair_0_6 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_5 := ((not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_7 or
-        winnerswinner1_of_four_0_4_value_8 when winnerswinner1_of_four_0_4_choice_4 else (not
-        (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_4_value_7 or winnerswinner1_of_four_0_4_value_8);
+      if winnerswinner1_of_four_0_4_choice_4 then
+        winnerswinner1_of_four_0_4_choice_5 := ((not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_7 or
+          winnerswinner1_of_four_0_4_value_8;
+      else
+        winnerswinner1_of_four_0_4_choice_5 := (not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_7 or
+          winnerswinner1_of_four_0_4_value_8);
+      end if;
       winnerswinner1_of_four_0_4_value_9 := ((winnerswinner1_of_pair_0_7 / 32) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_10 := ((winnerswinner1_of_pair_0_6 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_6 := ((not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_9 or
-        winnerswinner1_of_four_0_4_value_10 when winnerswinner1_of_four_0_4_choice_5 else (not
-        (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_4_value_9 or winnerswinner1_of_four_0_4_value_10);
-      winnerswinner1_of_four_0_4_choice_7 := (not ((not ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not
-        ((winnerswinner1_of_pair_0_4 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not
-        ((winnerswinner1_of_pair_0_6 / 64) = 1)) when winnerswinner1_of_four_0_4_choice_6 else (not ((not
-        ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_4 / 64) = 1)))) or ((not
-        ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_6 / 64) = 1)));
-      winnerswinner1_of_four_0_8_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 mod 2) = 1)) when (winnerswinner1_of_pair_0_9 mod 2) = 1 else
-        ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      if winnerswinner1_of_four_0_4_choice_5 then
+        winnerswinner1_of_four_0_4_choice_6 := ((not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_9 or
+          winnerswinner1_of_four_0_4_value_10;
+      else
+        winnerswinner1_of_four_0_4_choice_6 := (not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_9 or
+          winnerswinner1_of_four_0_4_value_10);
+      end if;
+      if winnerswinner1_of_four_0_4_choice_6 then
+        winnerswinner1_of_four_0_4_choice_7 := (not ((not ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_4 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_6 / 64) = 1));
+      else
+        winnerswinner1_of_four_0_4_choice_7 := (not ((not ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_4 / 64) = 1)))) or ((not ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_6 / 64) = 1)));
+      end if;
+      if (winnerswinner1_of_pair_0_9 mod 2) = 1 then
+        winnerswinner1_of_four_0_8_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
+          ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      else
+        winnerswinner1_of_four_0_8_choice := ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not
+          ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      end if;
       winnerswinner1_of_four_0_8_value := ((winnerswinner1_of_pair_0_9 / 2) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_2 := ((winnerswinner1_of_pair_0_8 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value or
-        winnerswinner1_of_four_0_8_value_2 when (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_10 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_8_choice and
-        (winnerswinner1_of_four_0_8_value or winnerswinner1_of_four_0_8_value_2);
+      if (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_10 / 2) mod 2) =
+        1)) then
+        winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value or
+          winnerswinner1_of_four_0_8_value_2;
+      else
+        winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice and (winnerswinner1_of_four_0_8_value
+          or winnerswinner1_of_four_0_8_value_2);
+      end if;
       winnerswinner1_of_four_0_8_value_3 := ((winnerswinner1_of_pair_0_11 / 4) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_4 := ((winnerswinner1_of_pair_0_10 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_3 or
-        winnerswinner1_of_four_0_8_value_4) when winnerswinner1_of_four_0_8_choice_2 else ((not
-        (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or
-        winnerswinner1_of_four_0_8_value_3 or winnerswinner1_of_four_0_8_value_4;
+      if winnerswinner1_of_four_0_8_choice_2 then
+        winnerswinner1_of_four_0_8_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_3 or
+          winnerswinner1_of_four_0_8_value_4);
+      else
+        winnerswinner1_of_four_0_8_choice_3 := ((not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_3 or
+          winnerswinner1_of_four_0_8_value_4;
+      end if;
       winnerswinner1_of_four_0_8_value_5 := ((winnerswinner1_of_pair_0_11 / 8) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_6 := ((winnerswinner1_of_pair_0_10 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_5 or
-        winnerswinner1_of_four_0_8_value_6 when winnerswinner1_of_four_0_8_choice_3 else (not
-        (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_5 or winnerswinner1_of_four_0_8_value_6);
+      if winnerswinner1_of_four_0_8_choice_3 then
+        winnerswinner1_of_four_0_8_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_5 or
+          winnerswinner1_of_four_0_8_value_6;
+      else
+        winnerswinner1_of_four_0_8_choice_4 := (not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_5 or
+          winnerswinner1_of_four_0_8_value_6);
+      end if;
       winnerswinner1_of_four_0_8_value_7 := ((winnerswinner1_of_pair_0_11 / 16) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_8 := ((winnerswinner1_of_pair_0_10 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_7 or
-        winnerswinner1_of_four_0_8_value_8 when winnerswinner1_of_four_0_8_choice_4 else (not
-        (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_7 or winnerswinner1_of_four_0_8_value_8);
+      if winnerswinner1_of_four_0_8_choice_4 then
+        winnerswinner1_of_four_0_8_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_7 or
+          winnerswinner1_of_four_0_8_value_8;
+      else
+        winnerswinner1_of_four_0_8_choice_5 := (not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_7 or
+          winnerswinner1_of_four_0_8_value_8);
+      end if;
       winnerswinner1_of_four_0_8_value_9 := ((winnerswinner1_of_pair_0_11 / 32) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_10 := ((winnerswinner1_of_pair_0_10 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_6 := ((not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_9 or
-        winnerswinner1_of_four_0_8_value_10 when winnerswinner1_of_four_0_8_choice_5 else (not
-        (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_9 or winnerswinner1_of_four_0_8_value_10);
-      winnerswinner1_of_four_0_8_choice_7 := (not ((not ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not
-        ((winnerswinner1_of_pair_0_8 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 / 64) = 1)) when winnerswinner1_of_four_0_8_choice_6 else (not ((not
-        ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_8 / 64) = 1)))) or ((not
-        ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_10 / 64) = 1)));
-      winnerswinner1_of_pair_0_0 <= 0 when winnerswinner1_of_pair_0_0_choice_7 else sums_sum_0_0;
-      winnerswinner1_of_pair_0_1 <= sums_sum_0_1 when winnerswinner1_of_pair_0_0_choice_7 else 0;
-      winnerswinner1_of_pair_0_2 <= 0 when winnerswinner1_of_pair_0_2_choice_7 else sums_sum_0_2;
-      winnerswinner1_of_pair_0_3 <= sums_sum_0_3 when winnerswinner1_of_pair_0_2_choice_7 else 0;
-      winnerswinner1_of_pair_0_4 <= 0 when winnerswinner1_of_pair_0_4_choice_7 else sums_sum_0_4;
-      winnerswinner1_of_pair_0_5 <= sums_sum_0_5 when winnerswinner1_of_pair_0_4_choice_7 else 0;
-      winnerswinner1_of_pair_0_6 <= 0 when winnerswinner1_of_pair_0_6_choice_7 else sums_sum_0_6;
-      winnerswinner1_of_pair_0_7 <= sums_sum_0_7 when winnerswinner1_of_pair_0_6_choice_7 else 0;
-      winnerswinner1_of_pair_0_8 <= 0 when winnerswinner1_of_pair_0_8_choice_7 else sums_sum_0_8;
-      winnerswinner1_of_pair_0_9 <= sums_sum_0_9 when winnerswinner1_of_pair_0_8_choice_7 else 0;
-      winnerswinner1_of_pair_0_10 <= 0 when winnerswinner1_of_pair_0_10_choice_7 else sums_sum_0_10;
-      winnerswinner1_of_pair_0_11 <= sums_sum_0_11 when winnerswinner1_of_pair_0_10_choice_7 else 0;
+      if winnerswinner1_of_four_0_8_choice_5 then
+        winnerswinner1_of_four_0_8_choice_6 := ((not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_9 or
+          winnerswinner1_of_four_0_8_value_10;
+      else
+        winnerswinner1_of_four_0_8_choice_6 := (not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_9 or
+          winnerswinner1_of_four_0_8_value_10);
+      end if;
+      if winnerswinner1_of_four_0_8_choice_6 then
+        winnerswinner1_of_four_0_8_choice_7 := (not ((not ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_8 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_10 / 64) = 1));
+      else
+        winnerswinner1_of_four_0_8_choice_7 := (not ((not ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_8 / 64) = 1)))) or ((not ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_10 / 64) = 1)));
+      end if;
       winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_0_choice_7;
-      winnerswinner1_pair_index_0_1 <= 3 when winnerswinner1_of_pair_0_2_choice_7 else 2;
-      winnerswinner1_pair_index_0_2 <= 5 when winnerswinner1_of_pair_0_4_choice_7 else 4;
-      winnerswinner1_pair_index_0_3 <= 7 when winnerswinner1_of_pair_0_6_choice_7 else 6;
-      winnerswinner1_pair_index_0_4 <= 9 when winnerswinner1_of_pair_0_8_choice_7 else 8;
-      winnerswinner1_pair_index_0_5 <= 11 when winnerswinner1_of_pair_0_10_choice_7 else 10;
       winnerswinner1_pair_tag_valid <= sums_tag_valid;
       winnerswinner1_pair_tag_map_column <= sums_tag_map_column;
       winnerswinner1_pair_tag_output_column <= sums_tag_output_column;
       winnerswinner1_pair_tag_start_of_frame <= sums_tag_start_of_frame;
       winnerswinner1_pair_tag_end_of_line <= sums_tag_end_of_line;
-      winnerswinner1_of_four_0_0 <= 0 when winnerswinner1_of_four_0_0_choice_7 else winnerswinner1_of_pair_0_0;
-      winnerswinner1_of_four_0_1 <= 0 when winnerswinner1_of_four_0_0_choice_7 else winnerswinner1_of_pair_0_1;
-      winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2 when winnerswinner1_of_four_0_0_choice_7 else 0;
-      winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3 when winnerswinner1_of_four_0_0_choice_7 else 0;
-      winnerswinner1_of_four_0_4 <= 0 when winnerswinner1_of_four_0_4_choice_7 else winnerswinner1_of_pair_0_4;
-      winnerswinner1_of_four_0_5 <= 0 when winnerswinner1_of_four_0_4_choice_7 else winnerswinner1_of_pair_0_5;
-      winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6 when winnerswinner1_of_four_0_4_choice_7 else 0;
-      winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7 when winnerswinner1_of_four_0_4_choice_7 else 0;
-      winnerswinner1_of_four_0_8 <= 0 when winnerswinner1_of_four_0_8_choice_7 else winnerswinner1_of_pair_0_8;
-      winnerswinner1_of_four_0_9 <= 0 when winnerswinner1_of_four_0_8_choice_7 else winnerswinner1_of_pair_0_9;
-      winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10 when winnerswinner1_of_four_0_8_choice_7 else 0;
-      winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_11 when winnerswinner1_of_four_0_8_choice_7 else 0;
-      winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1 when winnerswinner1_of_four_0_0_choice_7 else
-        as_number(winnerswinner1_pair_index_0_0);
-      winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3 when winnerswinner1_of_four_0_4_choice_7 else
-        winnerswinner1_pair_index_0_2;
-      winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5 when winnerswinner1_of_four_0_8_choice_7 else
-        winnerswinner1_pair_index_0_4;
       winnerswinner1_four_tag_valid <= winnerswinner1_pair_tag_valid;
       winnerswinner1_four_tag_map_column <= winnerswinner1_pair_tag_map_column;
       winnerswinner1_four_tag_output_column <= winnerswinner1_pair_tag_output_column;
@@ -5383,79 +7680,209 @@ begin
       winnerswinner1_tag_output_column <= winnerswinner1_four_tag_output_column;
       winnerswinner1_tag_start_of_frame <= winnerswinner1_four_tag_start_of_frame;
       winnerswinner1_tag_end_of_line <= winnerswinner1_four_tag_end_of_line;
+      if winnerswinner1_of_pair_0_0_choice_7 then
+        winnerswinner1_of_pair_0_0 <= 0;
+        winnerswinner1_of_pair_0_1 <= sums_sum_0_1;
+      else
+        winnerswinner1_of_pair_0_0 <= sums_sum_0_0;
+        winnerswinner1_of_pair_0_1 <= 0;
+      end if;
+      if winnerswinner1_of_pair_0_2_choice_7 then
+        winnerswinner1_of_pair_0_2 <= 0;
+        winnerswinner1_of_pair_0_3 <= sums_sum_0_3;
+        winnerswinner1_pair_index_0_1 <= 3;
+      else
+        winnerswinner1_of_pair_0_2 <= sums_sum_0_2;
+        winnerswinner1_of_pair_0_3 <= 0;
+        winnerswinner1_pair_index_0_1 <= 2;
+      end if;
+      if winnerswinner1_of_pair_0_4_choice_7 then
+        winnerswinner1_of_pair_0_4 <= 0;
+        winnerswinner1_of_pair_0_5 <= sums_sum_0_5;
+        winnerswinner1_pair_index_0_2 <= 5;
+      else
+        winnerswinner1_of_pair_0_4 <= sums_sum_0_4;
+        winnerswinner1_of_pair_0_5 <= 0;
+        winnerswinner1_pair_index_0_2 <= 4;
+      end if;
+      if winnerswinner1_of_pair_0_6_choice_7 then
+        winnerswinner1_of_pair_0_6 <= 0;
+        winnerswinner1_of_pair_0_7 <= sums_sum_0_7;
+        winnerswinner1_pair_index_0_3 <= 7;
+      else
+        winnerswinner1_of_pair_0_6 <= sums_sum_0_6;
+        winnerswinner1_of_pair_0_7 <= 0;
+        winnerswinner1_pair_index_0_3 <= 6;
+      end if;
+      if winnerswinner1_of_pair_0_8_choice_7 then
+        winnerswinner1_of_pair_0_8 <= 0;
+        winnerswinner1_of_pair_0_9 <= sums_sum_0_9;
+        winnerswinner1_pair_index_0_4 <= 9;
+      else
+        winnerswinner1_of_pair_0_8 <= sums_sum_0_8;
+        winnerswinner1_of_pair_0_9 <= 0;
+        winnerswinner1_pair_index_0_4 <= 8;
+      end if;
+      if winnerswinner1_of_pair_0_10_choice_7 then
+        winnerswinner1_of_pair_0_10 <= 0;
+        winnerswinner1_of_pair_0_11 <= sums_sum_0_11;
+        winnerswinner1_pair_index_0_5 <= 11;
+      else
+        winnerswinner1_of_pair_0_10 <= sums_sum_0_10;
+        winnerswinner1_of_pair_0_11 <= 0;
+        winnerswinner1_pair_index_0_5 <= 10;
+      end if;
+      if winnerswinner1_of_four_0_0_choice_7 then
+        winnerswinner1_of_four_0_0 <= 0;
+        winnerswinner1_of_four_0_1 <= 0;
+        winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2;
+        winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3;
+        winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1;
+      else
+        winnerswinner1_of_four_0_0 <= winnerswinner1_of_pair_0_0;
+        winnerswinner1_of_four_0_1 <= winnerswinner1_of_pair_0_1;
+        winnerswinner1_of_four_0_2 <= 0;
+        winnerswinner1_of_four_0_3 <= 0;
+        winnerswinner1_four_index_0_0 <= as_number(winnerswinner1_pair_index_0_0);
+      end if;
+      if winnerswinner1_of_four_0_4_choice_7 then
+        winnerswinner1_of_four_0_4 <= 0;
+        winnerswinner1_of_four_0_5 <= 0;
+        winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6;
+        winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7;
+        winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3;
+      else
+        winnerswinner1_of_four_0_4 <= winnerswinner1_of_pair_0_4;
+        winnerswinner1_of_four_0_5 <= winnerswinner1_of_pair_0_5;
+        winnerswinner1_of_four_0_6 <= 0;
+        winnerswinner1_of_four_0_7 <= 0;
+        winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_2;
+      end if;
+      if winnerswinner1_of_four_0_8_choice_7 then
+        winnerswinner1_of_four_0_8 <= 0;
+        winnerswinner1_of_four_0_9 <= 0;
+        winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10;
+        winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_11;
+        winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5;
+      else
+        winnerswinner1_of_four_0_8 <= winnerswinner1_of_pair_0_8;
+        winnerswinner1_of_four_0_9 <= winnerswinner1_of_pair_0_9;
+        winnerswinner1_of_four_0_10 <= 0;
+        winnerswinner1_of_four_0_11 <= 0;
+        winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_4;
+      end if;
       -- winnerswinner2
-      winnerswinner2_of_pair_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
-        ((winnerswinner1_best_cost_0_1 mod 2) = 1)) when (winnerswinner1_best_cost_0_0 mod 2) = 1 else not
-        (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner2_of_pair_0_0_choice_2 := winnerswinner2_of_pair_0_0_choice when ((winnerswinner1_best_cost_0_0 / 2)
-        mod 2) = 1 else ((winnerswinner1_best_cost_0_0 mod 2) = 1) and ((winnerswinner1_best_cost_0_1 mod 4) = 0);
+      if (winnerswinner1_best_cost_0_0 mod 2) = 1 then
+        winnerswinner2_of_pair_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
+          ((winnerswinner1_best_cost_0_1 mod 2) = 1));
+      else
+        winnerswinner2_of_pair_0_0_choice := not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1);
+      end if;
+      if ((winnerswinner1_best_cost_0_0 / 2) mod 2) = 1 then
+        winnerswinner2_of_pair_0_0_choice_2 := winnerswinner2_of_pair_0_0_choice;
+      else
+        winnerswinner2_of_pair_0_0_choice_2 := ((winnerswinner1_best_cost_0_0 mod 2) = 1) and
+          ((winnerswinner1_best_cost_0_1 mod 4) = 0);
+      end if;
       winnerswinner2_of_pair_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner2_of_pair_0_0_value when winnerswinner2_of_pair_0_0_choice_2 else (not
-        (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner2_of_pair_0_0_value;
+      if winnerswinner2_of_pair_0_0_choice_2 then
+        winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value;
+      else
+        winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value;
+      end if;
       winnerswinner2_of_pair_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner2_of_pair_0_0_value_2 when winnerswinner2_of_pair_0_0_choice_3 else (not
-        (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_2;
+      if winnerswinner2_of_pair_0_0_choice_3 then
+        winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value_2;
+      else
+        winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value_2;
+      end if;
       winnerswinner2_of_pair_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner2_of_pair_0_0_value_3 when winnerswinner2_of_pair_0_0_choice_4 else (not
-        (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_3;
+      if winnerswinner2_of_pair_0_0_choice_4 then
+        winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value_3;
+      else
+        winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value_3;
+      end if;
       winnerswinner2_of_pair_0_0_value_4 := ((winnerswinner1_best_cost_0_1 / 32) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
-        winnerswinner2_of_pair_0_0_value_4 when winnerswinner2_of_pair_0_0_choice_5 else (not
-        (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_4;
-      winnerswinner2_of_pair_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) and (not
-        ((winnerswinner1_best_cost_0_1 / 64) = 1)) when winnerswinner2_of_pair_0_0_choice_6 else
-        ((winnerswinner1_best_cost_0_0 / 64) = 1) or (not ((winnerswinner1_best_cost_0_1 / 64) = 1));
+      if winnerswinner2_of_pair_0_0_choice_5 then
+        winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value_4;
+      else
+        winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value_4;
+      end if;
+      if winnerswinner2_of_pair_0_0_choice_6 then
+        winnerswinner2_of_pair_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) and (not
+          ((winnerswinner1_best_cost_0_1 / 64) = 1));
+      else
+        winnerswinner2_of_pair_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) or (not
+          ((winnerswinner1_best_cost_0_1 / 64) = 1));
+      end if;
       winnerswinner2_four_index_0_0_value := ((winnerswinner2_of_pair_0_1 / 2) mod 2) = 1;
       winnerswinner2_four_index_0_0_value_2 := ((winnerswinner2_of_pair_0_0 / 2) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) or
-        winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2 when (not
-        ((winnerswinner2_of_pair_0_2 mod 2) = 1)) and (((winnerswinner2_of_pair_0_1 mod 2) = 1) or
-        ((winnerswinner2_of_pair_0_0 mod 2) = 1)) else (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) and
-        (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2);
+      if (not ((winnerswinner2_of_pair_0_2 mod 2) = 1)) and (((winnerswinner2_of_pair_0_1 mod 2) = 1) or
+        ((winnerswinner2_of_pair_0_0 mod 2) = 1)) then
+        winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2;
+      else
+        winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2);
+      end if;
       winnerswinner2_four_index_0_0_value_3 := ((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1;
       winnerswinner2_four_index_0_0_value_4 := ((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_2 := (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) or
-        winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4 when
-        winnerswinner2_four_index_0_0_choice else (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) and
-        (winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4);
+      if winnerswinner2_four_index_0_0_choice then
+        winnerswinner2_four_index_0_0_choice_2 := (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4;
+      else
+        winnerswinner2_four_index_0_0_choice_2 := (not (((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value_3 or winnerswinner2_four_index_0_0_value_4);
+      end if;
       winnerswinner2_four_index_0_0_value_5 := ((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1;
       winnerswinner2_four_index_0_0_value_6 := ((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_3 := (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) or
-        winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6 when
-        winnerswinner2_four_index_0_0_choice_2 else (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) and
-        (winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6);
+      if winnerswinner2_four_index_0_0_choice_2 then
+        winnerswinner2_four_index_0_0_choice_3 := (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6;
+      else
+        winnerswinner2_four_index_0_0_choice_3 := (not (((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value_5 or winnerswinner2_four_index_0_0_value_6);
+      end if;
       winnerswinner2_four_index_0_0_value_7 := ((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1;
       winnerswinner2_four_index_0_0_value_8 := ((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_4 := (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) or
-        winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8 when
-        winnerswinner2_four_index_0_0_choice_3 else (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) and
-        (winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8);
+      if winnerswinner2_four_index_0_0_choice_3 then
+        winnerswinner2_four_index_0_0_choice_4 := (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8;
+      else
+        winnerswinner2_four_index_0_0_choice_4 := (not (((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value_7 or winnerswinner2_four_index_0_0_value_8);
+      end if;
       winnerswinner2_four_index_0_0_value_9 := ((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1;
       winnerswinner2_four_index_0_0_value_10 := ((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_5 := (not (((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1)) or
-        winnerswinner2_four_index_0_0_value_9 or winnerswinner2_four_index_0_0_value_10 when
-        winnerswinner2_four_index_0_0_choice_4 else (not (((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1)) and
-        (winnerswinner2_four_index_0_0_value_9 or winnerswinner2_four_index_0_0_value_10);
-      winnerswinner2_four_index_0_0_choice_6 := (not ((winnerswinner2_of_pair_0_2 / 64) = 1)) or
-        ((winnerswinner2_of_pair_0_1 / 64) = 1) or ((winnerswinner2_of_pair_0_0 / 64) = 1) when
-        winnerswinner2_four_index_0_0_choice_5 else (not ((winnerswinner2_of_pair_0_2 / 64) = 1)) and
-        (((winnerswinner2_of_pair_0_1 / 64) = 1) or ((winnerswinner2_of_pair_0_0 / 64) = 1));
-      winnerswinner2_of_pair_0_0 <= 0 when winnerswinner2_of_pair_0_0_choice_7 else winnerswinner1_best_cost_0_0;
-      winnerswinner2_of_pair_0_1 <= winnerswinner1_best_cost_0_1 when winnerswinner2_of_pair_0_0_choice_7 else 0;
+      if winnerswinner2_four_index_0_0_choice_4 then
+        winnerswinner2_four_index_0_0_choice_5 := (not (((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value_9 or winnerswinner2_four_index_0_0_value_10;
+      else
+        winnerswinner2_four_index_0_0_choice_5 := (not (((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value_9 or winnerswinner2_four_index_0_0_value_10);
+      end if;
+      if winnerswinner2_four_index_0_0_choice_5 then
+        winnerswinner2_four_index_0_0_choice_6 := (not ((winnerswinner2_of_pair_0_2 / 64) = 1)) or
+          ((winnerswinner2_of_pair_0_1 / 64) = 1) or ((winnerswinner2_of_pair_0_0 / 64) = 1);
+      else
+        winnerswinner2_four_index_0_0_choice_6 := (not ((winnerswinner2_of_pair_0_2 / 64) = 1)) and
+          (((winnerswinner2_of_pair_0_1 / 64) = 1) or ((winnerswinner2_of_pair_0_0 / 64) = 1));
+      end if;
       winnerswinner2_of_pair_0_2 <= winnerswinner1_best_cost_0_2;
-      winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_of_pair_0_0_choice_7 else
-        winnerswinner1_best_index_0_0;
       winnerswinner2_pair_index_0_1 <= winnerswinner1_best_index_0_2;
       winnerswinner2_pair_tag_valid <= winnerswinner1_tag_valid;
       winnerswinner2_pair_tag_map_column <= winnerswinner1_tag_map_column;
       winnerswinner2_pair_tag_output_column <= winnerswinner1_tag_output_column;
       winnerswinner2_pair_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
       winnerswinner2_pair_tag_end_of_line <= winnerswinner1_tag_end_of_line;
-      winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_1 when winnerswinner2_four_index_0_0_choice_6 else
-        winnerswinner2_pair_index_0_0;
       winnerswinner2_four_tag_valid <= winnerswinner2_pair_tag_valid;
       winnerswinner2_four_tag_map_column <= winnerswinner2_pair_tag_map_column;
       winnerswinner2_four_tag_output_column <= winnerswinner2_pair_tag_output_column;
@@ -5467,6 +7894,20 @@ begin
       winnerswinner2_tag_output_column <= winnerswinner2_four_tag_output_column;
       winnerswinner2_tag_start_of_frame <= winnerswinner2_four_tag_start_of_frame;
       winnerswinner2_tag_end_of_line <= winnerswinner2_four_tag_end_of_line;
+      if winnerswinner2_of_pair_0_0_choice_7 then
+        winnerswinner2_of_pair_0_0 <= 0;
+        winnerswinner2_of_pair_0_1 <= winnerswinner1_best_cost_0_1;
+        winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_1;
+      else
+        winnerswinner2_of_pair_0_0 <= winnerswinner1_best_cost_0_0;
+        winnerswinner2_of_pair_0_1 <= 0;
+        winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_0;
+      end if;
+      if winnerswinner2_four_index_0_0_choice_6 then
+        winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_1;
+      else
+        winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_0;
+      end if;
       -- winners
       winners_best_index_0_0 <= winnerswinner2_best_index_0_0;
       winners_best_tag_valid <= winnerswinner2_tag_valid;
@@ -5476,20 +7917,31 @@ begin
       winners_best_tag_end_of_line <= winnerswinner2_tag_end_of_line;
       -- turn
       turn_order_address_any := turn_order_inside or (not winners_best_tag_map_column) or (not winners_best_tag_valid);
-      turn_order_address_choice := 31 when turn_order_falls else 1;
-      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      if turn_order_falls then
+        turn_order_address_choice := 31;
+      else
+        turn_order_address_choice := 1;
+      end if;
+      if turn_order_falls then
+        turn_order_address_choice_2 := 0;
+      else
+        turn_order_address_choice_2 := 7;
+      end if;
       turn_order_address_any_2 := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
       if not turn_order_address_any_2 then
-        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
-          turn_order_address_choice_2 * 4;
+        if turn_order_address_any then
+          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32;
+        else
+          turn_order_address <= turn_order_address_choice_2 * 4;
+        end if;
       end if;
       turn_order_falls_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
       turn_order_complete_all := winners_best_tag_map_column and winners_best_tag_valid;
-      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
-        else turn_order_held_output;
-      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
-      turn_order_complete <= turn_order_complete or turn_order_complete_all when winners_best_tag_end_of_line else
-        turn_order_complete and turn_order_address_any_2;
+      if turn_order_falls_all then
+        turn_order_turned_output_column_choice := turn_order_output and turn_order_complete;
+      else
+        turn_order_turned_output_column_choice := turn_order_held_output;
+      end if;
       turn_order_turned_valid <= winners_best_tag_valid;
       turn_order_turned_output_column <= turn_order_turned_output_column_choice and winners_best_tag_map_column;
       turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag_map_column and
@@ -5506,6 +7958,16 @@ begin
       turn_ready_tag_output_column <= turn_read_tag_output_column;
       turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
       turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
+      if turn_order_falls then
+        turn_order_falls <= turn_order_address_any;
+      else
+        turn_order_falls <= turn_order_falls_all;
+      end if;
+      if winners_best_tag_end_of_line then
+        turn_order_complete <= turn_order_complete or turn_order_complete_all;
+      else
+        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
+      end if;
       if winners_best_tag_valid then
         turn_order_inside <= winners_best_tag_map_column;
       end if;

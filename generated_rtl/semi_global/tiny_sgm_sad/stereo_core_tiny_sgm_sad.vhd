@@ -438,197 +438,317 @@ architecture rtl of stereo_core_tiny_sgm_sad is
   signal turn_newest, turn_write_words_0 : natural range 0 to 267;
   signal turn_read_words_0 : unsigned(8 downto 0);
   signal turn_ready : natural range 0 to 511;
+  signal turn_read_words_0_memory_read_enable : boolean;
+  signal turn_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal turn_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal sums_sum_delay_held_2_memory_read_enable : boolean;
+  signal sums_sum_delay_held_2_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_2_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
+  signal sums_sum_delay_held_1_memory_read_enable : boolean;
+  signal sums_sum_delay_held_1_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_1_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
+  signal sums_sum_delay_held_0_memory_read_enable : boolean;
+  signal sums_sum_delay_held_0_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_0_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_2_memory_read_enable : boolean;
+  signal sums_turn_read_sums_2_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_2_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_2_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_1_memory_read_enable : boolean;
+  signal sums_turn_read_sums_1_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_1_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_1_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_0_memory_read_enable : boolean;
+  signal sums_turn_read_sums_0_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_0_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_0_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_costs_1_memory_read_enable : boolean;
+  signal sums_turn_read_costs_1_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_costs_1_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_costs_1_memory_write_data : unsigned(15 downto 0);
+  signal sums_turn_read_costs_0_memory_read_enable : boolean;
+  signal sums_turn_read_costs_0_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_costs_0_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_costs_0_memory_write_data : unsigned(31 downto 0);
+  signal sums_turn_read_smallest_0_memory_read_enable : boolean;
+  signal sums_turn_read_smallest_0_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_smallest_0_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_smallest_0_memory_write_data : unsigned(5 downto 0);
+  signal forward_above_read_words_1_memory_read_enable : boolean;
+  signal forward_above_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal forward_above_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal forward_above_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_0_memory_read_enable : boolean;
+  signal forward_above_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal forward_above_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal forward_above_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_delay_held_2_memory_read_enable : boolean;
+  signal forward_above_delay_held_2_memory_read_address : unsigned(2 downto 0);
+  signal forward_above_delay_held_2_memory_write_address : unsigned(2 downto 0);
   signal forward_above_delay_held_2_memory_write_data : unsigned(12 downto 0);
+  signal forward_above_delay_held_1_memory_read_enable : boolean;
+  signal forward_above_delay_held_1_memory_read_address : unsigned(2 downto 0);
+  signal forward_above_delay_held_1_memory_write_address : unsigned(2 downto 0);
   signal forward_above_delay_held_1_memory_write_data : unsigned(30 downto 0);
+  signal forward_above_delay_held_0_memory_read_enable : boolean;
+  signal forward_above_delay_held_0_memory_read_address : unsigned(2 downto 0);
+  signal forward_above_delay_held_0_memory_write_address : unsigned(2 downto 0);
   signal forward_above_delay_held_0_memory_write_data : unsigned(30 downto 0);
+  signal forward_cost_delay_held_1_memory_read_enable : boolean;
+  signal forward_cost_delay_held_1_memory_read_address : unsigned(2 downto 0);
+  signal forward_cost_delay_held_1_memory_write_address : unsigned(2 downto 0);
   signal forward_cost_delay_held_1_memory_write_data : unsigned(17 downto 0);
+  signal forward_cost_delay_held_0_memory_read_enable : boolean;
+  signal forward_cost_delay_held_0_memory_read_address : unsigned(2 downto 0);
+  signal forward_cost_delay_held_0_memory_write_address : unsigned(2 downto 0);
   signal forward_cost_delay_held_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(15 downto 0);
+  signal delay_delayed_0_memory_read_enable : boolean;
+  signal delay_delayed_0_memory_read_address : unsigned(3 downto 0);
+  signal delay_delayed_0_memory_write_address : unsigned(3 downto 0);
   signal delay_delayed_0_memory_write_data : unsigned(7 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_right_pixel <= to_integer(unsigned(right_pixel));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
   disparity <= std_logic_vector(to_unsigned((turn_ready mod 16), 8));
   pixel_valid <= std_logic_vector(to_unsigned((turn_ready / 256), 1));
   disparity_valid <= as_bit(turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column);
 
+  turn_read_words_0_memory_read_enable <= true;
+  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 5);
+  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 5);
   turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
   turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9)
+    generic map (depth => 29, width => 9, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
+      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
+      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
 
+  sums_sum_delay_held_2_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_2_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_2_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
   sums_sum_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 4, width => 28)
+    generic map (depth => 4, width => 28, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_2,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_2_memory_read_enable,
+      read_address => sums_sum_delay_held_2_memory_read_address, read_data => sums_sum_delay_held_2,
+      write_address => sums_sum_delay_held_2_memory_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
 
+  sums_sum_delay_held_1_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_1_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_1_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_1_memory_write_data <= to_unsigned(sums_turn_ready_sums_1, 28);
   sums_sum_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 4, width => 28)
+    generic map (depth => 4, width => 28, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_1,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_1_memory_read_enable,
+      read_address => sums_sum_delay_held_1_memory_read_address, read_data => sums_sum_delay_held_1,
+      write_address => sums_sum_delay_held_1_memory_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
 
+  sums_sum_delay_held_0_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_0_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_0_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_0_memory_write_data <= to_unsigned(sums_turn_ready_sums_0, 28);
   sums_sum_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 4, width => 28)
+    generic map (depth => 4, width => 28, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_0,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_0_memory_read_enable,
+      read_address => sums_sum_delay_held_0_memory_read_address, read_data => sums_sum_delay_held_0,
+      write_address => sums_sum_delay_held_0_memory_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
 
+  sums_turn_read_sums_2_memory_read_enable <= true;
+  sums_turn_read_sums_2_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_sums_2_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_sums_2_memory_write_data <= to_unsigned(sums_turn_write_sums_2, 28);
   sums_turn_read_sums_2_memory : entity work.line_memory
-    generic map (depth => 29, width => 28)
+    generic map (depth => 29, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_sums_2,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_2_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_2_memory_read_enable,
+      read_address => sums_turn_read_sums_2_memory_read_address, read_data => sums_turn_read_sums_2,
+      write_address => sums_turn_read_sums_2_memory_write_address, write_data => sums_turn_read_sums_2_memory_write_data);
 
+  sums_turn_read_sums_1_memory_read_enable <= true;
+  sums_turn_read_sums_1_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_sums_1_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_sums_1_memory_write_data <= to_unsigned(sums_turn_write_sums_1, 28);
   sums_turn_read_sums_1_memory : entity work.line_memory
-    generic map (depth => 29, width => 28)
+    generic map (depth => 29, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_sums_1,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_1_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_1_memory_read_enable,
+      read_address => sums_turn_read_sums_1_memory_read_address, read_data => sums_turn_read_sums_1,
+      write_address => sums_turn_read_sums_1_memory_write_address, write_data => sums_turn_read_sums_1_memory_write_data);
 
+  sums_turn_read_sums_0_memory_read_enable <= true;
+  sums_turn_read_sums_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_sums_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_sums_0_memory_write_data <= to_unsigned(sums_turn_write_sums_0, 28);
   sums_turn_read_sums_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 28)
+    generic map (depth => 29, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_sums_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_0_memory_read_enable,
+      read_address => sums_turn_read_sums_0_memory_read_address, read_data => sums_turn_read_sums_0,
+      write_address => sums_turn_read_sums_0_memory_write_address, write_data => sums_turn_read_sums_0_memory_write_data);
 
+  sums_turn_read_costs_1_memory_read_enable <= true;
+  sums_turn_read_costs_1_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_costs_1_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_costs_1_memory_write_data <= to_unsigned(sums_turn_write_costs_1, 16);
   sums_turn_read_costs_1_memory : entity work.line_memory
-    generic map (depth => 29, width => 16)
+    generic map (depth => 29, width => 16, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_costs_1,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_1_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_costs_1_memory_read_enable,
+      read_address => sums_turn_read_costs_1_memory_read_address, read_data => sums_turn_read_costs_1,
+      write_address => sums_turn_read_costs_1_memory_write_address, write_data => sums_turn_read_costs_1_memory_write_data);
 
+  sums_turn_read_costs_0_memory_read_enable <= true;
+  sums_turn_read_costs_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_costs_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_costs_0_memory_write_data <= sums_turn_write_costs_0;
   sums_turn_read_costs_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 32)
+    generic map (depth => 29, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_costs_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_costs_0_memory_read_enable,
+      read_address => sums_turn_read_costs_0_memory_read_address, read_data => sums_turn_read_costs_0,
+      write_address => sums_turn_read_costs_0_memory_write_address, write_data => sums_turn_read_costs_0_memory_write_data);
 
+  sums_turn_read_smallest_0_memory_read_enable <= true;
+  sums_turn_read_smallest_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_smallest_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_smallest_0_memory_write_data <= to_unsigned(sums_turn_write_smallest_0, 6);
   sums_turn_read_smallest_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 6)
+    generic map (depth => 29, width => 6, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_smallest_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_smallest_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_smallest_0_memory_read_enable,
+      read_address => sums_turn_read_smallest_0_memory_read_address, read_data => sums_turn_read_smallest_0,
+      write_address => sums_turn_read_smallest_0_memory_write_address, write_data => sums_turn_read_smallest_0_memory_write_data);
 
+  forward_above_read_words_1_memory_read_enable <= true;
+  forward_above_read_words_1_memory_read_address <= to_unsigned(entry_next_column, 5);
+  forward_above_read_words_1_memory_write_address <= to_unsigned(forward_above_write_column, 5);
   forward_above_read_words_1_memory_write_data <= forward_above_write_words_1;
   forward_above_read_words_1_memory : entity work.line_memory
-    generic map (depth => 29, width => 32)
+    generic map (depth => 29, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_next_column, read_data => forward_above_read_words_1,
-      write_address => forward_above_write_column, write_data => forward_above_read_words_1_memory_write_data);
+      clock => clock, read_enable => forward_above_read_words_1_memory_read_enable,
+      read_address => forward_above_read_words_1_memory_read_address, read_data => forward_above_read_words_1,
+      write_address => forward_above_read_words_1_memory_write_address, write_data => forward_above_read_words_1_memory_write_data);
 
+  forward_above_read_words_0_memory_read_enable <= true;
+  forward_above_read_words_0_memory_read_address <= to_unsigned(entry_next_column, 5);
+  forward_above_read_words_0_memory_write_address <= to_unsigned(forward_above_write_column, 5);
   forward_above_read_words_0_memory_write_data <= forward_above_write_words_0;
   forward_above_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 32)
+    generic map (depth => 29, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_next_column, read_data => forward_above_read_words_0,
-      write_address => forward_above_write_column, write_data => forward_above_read_words_0_memory_write_data);
+      clock => clock, read_enable => forward_above_read_words_0_memory_read_enable,
+      read_address => forward_above_read_words_0_memory_read_address, read_data => forward_above_read_words_0,
+      write_address => forward_above_read_words_0_memory_write_address, write_data => forward_above_read_words_0_memory_write_data);
 
+  forward_above_delay_held_2_memory_read_enable <= entry_tag_valid;
+  forward_above_delay_held_2_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+  forward_above_delay_held_2_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
   forward_above_delay_held_2_memory_write_data <= ((to_unsigned(forward_above_total_11, 7) & to_unsigned(0, 6)) or (to_unsigned(forward_above_total_10, 13)));
   forward_above_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 5, width => 13)
+    generic map (depth => 5, width => 13, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_2,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
+      clock => clock, read_enable => forward_above_delay_held_2_memory_read_enable,
+      read_address => forward_above_delay_held_2_memory_read_address, read_data => forward_above_delay_held_2,
+      write_address => forward_above_delay_held_2_memory_write_address, write_data => forward_above_delay_held_2_memory_write_data);
 
+  forward_above_delay_held_1_memory_read_enable <= entry_tag_valid;
+  forward_above_delay_held_1_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+  forward_above_delay_held_1_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
   forward_above_delay_held_1_memory_write_data <= ((to_unsigned(forward_above_total_9, 7) & to_unsigned(to_integer(((to_unsigned(forward_above_total_6, 13) & to_unsigned(0, 6)) or (to_unsigned(forward_above_total_7, 7) & to_unsigned(forward_above_total_5, 12)))), 24)) or (to_unsigned(forward_above_total_8, 13) & to_unsigned(0, 18)));
   forward_above_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 5, width => 31)
+    generic map (depth => 5, width => 31, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_1,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
+      clock => clock, read_enable => forward_above_delay_held_1_memory_read_enable,
+      read_address => forward_above_delay_held_1_memory_read_address, read_data => forward_above_delay_held_1,
+      write_address => forward_above_delay_held_1_memory_write_address, write_data => forward_above_delay_held_1_memory_write_data);
 
+  forward_above_delay_held_0_memory_read_enable <= entry_tag_valid;
+  forward_above_delay_held_0_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+  forward_above_delay_held_0_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
   forward_above_delay_held_0_memory_write_data <= ((to_unsigned(forward_above_total_4, 7) & to_unsigned(forward_above_total_2, 12) & to_unsigned(0, 12)) or (to_unsigned(forward_above_total_3, 13) & to_unsigned(to_integer(((to_unsigned(forward_above_total_1, 7) & to_unsigned(0, 6)) or (to_unsigned(forward_above_total_0, 13)))), 18)));
   forward_above_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 5, width => 31)
+    generic map (depth => 5, width => 31, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_0,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
+      clock => clock, read_enable => forward_above_delay_held_0_memory_read_enable,
+      read_address => forward_above_delay_held_0_memory_read_address, read_data => forward_above_delay_held_0,
+      write_address => forward_above_delay_held_0_memory_write_address, write_data => forward_above_delay_held_0_memory_write_data);
 
+  forward_cost_delay_held_1_memory_read_enable <= entry_tag_valid;
+  forward_cost_delay_held_1_memory_read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
+  forward_cost_delay_held_1_memory_write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
   forward_cost_delay_held_1_memory_write_data <= ((((((to_unsigned(entry_cost_10, 10) & to_unsigned(0, 8)) or (to_unsigned(entry_cost_11, 6) & to_unsigned(0, 12)))) or (to_unsigned(entry_cost_8, 18)))) or (to_unsigned(entry_cost_9, 14) & to_unsigned(0, 4)));
   forward_cost_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 5, width => 18)
+    generic map (depth => 5, width => 18, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_1,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
+      clock => clock, read_enable => forward_cost_delay_held_1_memory_read_enable,
+      read_address => forward_cost_delay_held_1_memory_read_address, read_data => forward_cost_delay_held_1,
+      write_address => forward_cost_delay_held_1_memory_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
 
+  forward_cost_delay_held_0_memory_read_enable <= entry_tag_valid;
+  forward_cost_delay_held_0_memory_read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
+  forward_cost_delay_held_0_memory_write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
   forward_cost_delay_held_0_memory_write_data <= ((((((((((((((to_unsigned(entry_cost_6, 8) & to_unsigned(0, 24)) or (to_unsigned((entry_cost_7 mod 16), 4) & to_unsigned(0, 28)))) or (to_unsigned(entry_cost_5, 12) & to_unsigned(0, 20)))) or (to_unsigned(entry_cost_4, 16) & to_unsigned(0, 16)))) or (to_unsigned(entry_cost_3, 20) & to_unsigned(0, 12)))) or (to_unsigned(entry_cost_2, 24) & to_unsigned(0, 8)))) or (to_unsigned(entry_cost_0, 32)))) or (to_unsigned(entry_cost_1, 28) & to_unsigned(0, 4)));
   forward_cost_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 5, width => 32)
+    generic map (depth => 5, width => 32, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_0,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
+      clock => clock, read_enable => forward_cost_delay_held_0_memory_read_enable,
+      read_address => forward_cost_delay_held_0_memory_read_address, read_data => forward_cost_delay_held_0,
+      write_address => forward_cost_delay_held_0_memory_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 16);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 16)
+    generic map (depth => 40, width => 16, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 16);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 16)
+    generic map (depth => 40, width => 16, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
+  delay_delayed_0_memory_read_enable <= true;
+  delay_delayed_0_memory_read_address <= to_unsigned(delay_ring_read_address, 4);
+  delay_delayed_0_memory_write_address <= to_unsigned(delay_ring_write_address, 4);
   delay_delayed_0_memory_write_data <= to_unsigned(raster_features_reference_0, 8);
   delay_delayed_0_memory : entity work.line_memory
-    generic map (depth => 12, width => 8)
+    generic map (depth => 12, width => 8, address_bits => 4)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_ring_read_address, read_data => delay_delayed_0,
-      write_address => delay_ring_write_address, write_data => delay_delayed_0_memory_write_data);
+      clock => clock, read_enable => delay_delayed_0_memory_read_enable,
+      read_address => delay_delayed_0_memory_read_address, read_data => delay_delayed_0,
+      write_address => delay_delayed_0_memory_write_address, write_data => delay_delayed_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
@@ -789,34 +909,67 @@ begin
       raster_place_group_is_equal := raster_place_group = 11;
       raster_place_group_is_equal_2 := raster_place_column = 39;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
-      raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid and (not ((raster_place_group mod 2) =
-        1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and in_valid;
-      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
-        (raster_place_group + 1) mod 16;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
-        raster_place_group;
+      if raster_place_group_is_equal_3 then
+        raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid and (not ((raster_place_group mod 2)
+          = 1));
+      else
+        raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 12) then
+        raster_place_group_choice_3 := 1;
+      else
+        raster_place_group_choice_3 := (raster_place_group + 1) mod 16;
+      end if;
+      if raster_place_group_choice_2 then
+        raster_place_group_choice_4 := raster_place_group_choice_3;
+      else
+        raster_place_group_choice_4 := raster_place_group;
+      end if;
       raster_features_search_0 <= in_left_pixel;
       raster_features_reference_0 <= in_right_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 4 when in_start_of_frame and in_valid else
-        raster_place_group_choice_4;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
-        raster_place_next_frame;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= raster_place_group_choice * 4;
+      else
+        raster_place_group <= raster_place_group_choice_4;
+      end if;
+      if raster_place_group_is_equal_2 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal_2 or in_start_of_frame else (raster_place_column + 1)
-          mod 64;
-        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame;
+        if raster_place_group_is_equal_2 or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 64;
+        end if;
+        if raster_place_next_frame_choice_2 then
+          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
+        else
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       -- delay
       if raster_features_valid then
-        delay_ring_read_address <= 0 when delay_ring_read_address = 11 else (delay_ring_read_address + 1) mod 16;
         delay_ring_write_address <= delay_ring_read_address;
+        if delay_ring_read_address = 11 then
+          delay_ring_read_address <= 0;
+        else
+          delay_ring_read_address <= (delay_ring_read_address + 1) mod 16;
+        end if;
       end if;
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
       delay_row_inside_1_is_less := raster_place_group < 13;
@@ -866,12 +1019,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_inside_2 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_0 / 256 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_first_cost <= rows_ready_tag_first_cost;
@@ -879,6 +1026,27 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 256;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 256;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_0 / 256;
+        rows_reference_1 <= rows_reference_rows_ready_words_0 / 256;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_newest_0;
+        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_newest_0 * 256) + (rows_search_rows_ready_words_0 /
           256);
@@ -967,16 +1135,6 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_0) +
-        slice0cost_pair_0_0 + slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_1) +
-        slice0cost_pair_0_1 + slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_2) +
-        slice0cost_pair_0_2 + slice0cost_single_0_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_3) +
-        slice0cost_pair_0_3 + slice0cost_single_0_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else as_number(slice0cost_negative_0_4) +
-        slice0cost_pair_0_4 + slice0cost_single_0_4;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
@@ -984,6 +1142,19 @@ begin
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+      else
+        slice0cost_column_0_0 <= as_number(slice0cost_negative_0_0) + slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= as_number(slice0cost_negative_0_1) + slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= as_number(slice0cost_negative_0_2) + slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_column_0_3 <= as_number(slice0cost_negative_0_3) + slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_column_0_4 <= as_number(slice0cost_negative_0_4) + slice0cost_pair_0_4 + slice0cost_single_0_4;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -1014,11 +1185,6 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0
-      slice0_held_0_0 <= 15 when 1023 < slice0window_sum_0_0 else slice0window_sum_0_0 / 64;
-      slice0_held_0_1 <= 15 when 1023 < slice0window_sum_0_1 else slice0window_sum_0_1 / 64;
-      slice0_held_0_2 <= 15 when 1023 < slice0window_sum_0_2 else slice0window_sum_0_2 / 64;
-      slice0_held_0_3 <= 15 when 1023 < slice0window_sum_0_3 else slice0window_sum_0_3 / 64;
-      slice0_held_0_4 <= 15 when 1023 < slice0window_sum_0_4 else slice0window_sum_0_4 / 64;
       slice0_held_1_0 <= slice0_held_0_0;
       slice0_held_1_1 <= slice0_held_0_1;
       slice0_held_1_2 <= slice0_held_0_2;
@@ -1047,6 +1213,31 @@ begin
       slice0_tag_2_first_column <= slice0_tag_1_first_column;
       slice0_tag_2_start_of_frame <= slice0_tag_1_start_of_frame;
       slice0_tag_2_end_of_line <= slice0_tag_1_end_of_line;
+      if 1023 < slice0window_sum_0_0 then
+        slice0_held_0_0 <= 15;
+      else
+        slice0_held_0_0 <= slice0window_sum_0_0 / 64;
+      end if;
+      if 1023 < slice0window_sum_0_1 then
+        slice0_held_0_1 <= 15;
+      else
+        slice0_held_0_1 <= slice0window_sum_0_1 / 64;
+      end if;
+      if 1023 < slice0window_sum_0_2 then
+        slice0_held_0_2 <= 15;
+      else
+        slice0_held_0_2 <= slice0window_sum_0_2 / 64;
+      end if;
+      if 1023 < slice0window_sum_0_3 then
+        slice0_held_0_3 <= 15;
+      else
+        slice0_held_0_3 <= slice0window_sum_0_3 / 64;
+      end if;
+      if 1023 < slice0window_sum_0_4 then
+        slice0_held_0_4 <= 15;
+      else
+        slice0_held_0_4 <= slice0window_sum_0_4 / 64;
+      end if;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice1shift_search_0_1;
@@ -1107,17 +1298,20 @@ begin
       slice1cost_single_0_2 <= (folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0))) mod 256;
       slice1cost_single_0_3 <= (folded(slice1cost_difference_0_3) + as_number((slice1cost_difference_0_3 < 0))) mod 256;
       slice1cost_single_0_4 <= (folded(slice1cost_difference_0_4) + as_number((slice1cost_difference_0_4 < 0))) mod 256;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_0) +
-        slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_1) +
-        slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_2) +
-        slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_3) +
-        slice1cost_pair_0_3 + slice1cost_single_0_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else as_number(slice1cost_negative_0_4) +
-        slice1cost_pair_0_4 + slice1cost_single_0_4;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+      else
+        slice1cost_column_0_0 <= as_number(slice1cost_negative_0_0) + slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= as_number(slice1cost_negative_0_1) + slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= as_number(slice1cost_negative_0_2) + slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_column_0_3 <= as_number(slice1cost_negative_0_3) + slice1cost_pair_0_3 + slice1cost_single_0_3;
+        slice1cost_column_0_4 <= as_number(slice1cost_negative_0_4) + slice1cost_pair_0_4 + slice1cost_single_0_4;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -1137,16 +1331,36 @@ begin
       slice1window_sum_0_3 <= slice1cost_column_0_3 + slice1window_partial_0_1_3;
       slice1window_sum_0_4 <= slice1cost_column_0_4 + slice1window_partial_0_1_4;
       -- slice1
-      slice1_held_0_0 <= 15 when 1023 < slice1window_sum_0_0 else slice1window_sum_0_0 / 64;
-      slice1_held_0_1 <= 15 when 1023 < slice1window_sum_0_1 else slice1window_sum_0_1 / 64;
-      slice1_held_0_2 <= 15 when 1023 < slice1window_sum_0_2 else slice1window_sum_0_2 / 64;
-      slice1_held_0_3 <= 15 when 1023 < slice1window_sum_0_3 else slice1window_sum_0_3 / 64;
-      slice1_held_0_4 <= 15 when 1023 < slice1window_sum_0_4 else slice1window_sum_0_4 / 64;
       slice1_held_1_0 <= slice1_held_0_0;
       slice1_held_1_1 <= slice1_held_0_1;
       slice1_held_1_2 <= slice1_held_0_2;
       slice1_held_1_3 <= slice1_held_0_3;
       slice1_held_1_4 <= slice1_held_0_4;
+      if 1023 < slice1window_sum_0_0 then
+        slice1_held_0_0 <= 15;
+      else
+        slice1_held_0_0 <= slice1window_sum_0_0 / 64;
+      end if;
+      if 1023 < slice1window_sum_0_1 then
+        slice1_held_0_1 <= 15;
+      else
+        slice1_held_0_1 <= slice1window_sum_0_1 / 64;
+      end if;
+      if 1023 < slice1window_sum_0_2 then
+        slice1_held_0_2 <= 15;
+      else
+        slice1_held_0_2 <= slice1window_sum_0_2 / 64;
+      end if;
+      if 1023 < slice1window_sum_0_3 then
+        slice1_held_0_3 <= 15;
+      else
+        slice1_held_0_3 <= slice1window_sum_0_3 / 64;
+      end if;
+      if 1023 < slice1window_sum_0_4 then
+        slice1_held_0_4 <= 15;
+      else
+        slice1_held_0_4 <= slice1window_sum_0_4 / 64;
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice2shift_search_0_1;
@@ -1174,10 +1388,13 @@ begin
       slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
       slice2cost_single_0_0 <= (folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0))) mod 256;
       slice2cost_single_0_1 <= (folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0))) mod 256;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_0) +
-        slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else as_number(slice2cost_negative_0_1) +
-        slice2cost_pair_0_1 + slice2cost_single_0_1;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+      else
+        slice2cost_column_0_0 <= as_number(slice2cost_negative_0_0) + slice2cost_pair_0_0 + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= as_number(slice2cost_negative_0_1) + slice2cost_pair_0_1 + slice2cost_single_0_1;
+      end if;
       -- slice2window
       if slice0_tag_0_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -1188,15 +1405,26 @@ begin
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
       -- slice2
-      slice2_held_0_0 <= 15 when 1023 < slice2window_sum_0_0 else slice2window_sum_0_0 / 64;
-      slice2_held_0_1 <= 15 when 1023 < slice2window_sum_0_1 else slice2window_sum_0_1 / 64;
+      if 1023 < slice2window_sum_0_0 then
+        slice2_held_0_0 <= 15;
+      else
+        slice2_held_0_0 <= slice2window_sum_0_0 / 64;
+      end if;
+      if 1023 < slice2window_sum_0_1 then
+        slice2_held_0_1 <= 15;
+      else
+        slice2_held_0_1 <= slice2window_sum_0_1 / 64;
+      end if;
       -- entry
       entry_order_falls_any := entry_order_inside or (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
       entry_order_falls_all := (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_complete_all := slice0_tag_2_map_column and slice0_tag_2_valid;
       entry_order_complete_any := (not slice0_tag_2_map_column) or (not slice0_tag_2_valid);
-      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
-        else entry_order_held_output;
+      if entry_order_falls_all then
+        entry_order_turned_output_column_choice := entry_order_output and entry_order_complete;
+      else
+        entry_order_turned_output_column_choice := entry_order_held_output;
+      end if;
       entry_next_cost_0 <= slice2_held_0_0;
       entry_next_cost_1 <= slice2_held_0_1;
       entry_next_cost_2 <= slice1_held_1_0;
@@ -1213,9 +1441,6 @@ begin
       entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_first_column <= slice0_tag_2_first_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
-      entry_order_complete <= entry_order_complete or entry_order_complete_all when slice0_tag_2_end_of_line else
-        entry_order_complete and entry_order_complete_any;
       entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
       entry_order_turned_first_column <= entry_order_falls_all;
       entry_order_turned_start_of_frame <= (not entry_order_inside) and slice0_tag_2_map_column and slice0_tag_2_valid
@@ -1242,15 +1467,41 @@ begin
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
-      if entry_order_complete_all then
-        entry_next_column <= 0 when slice0_tag_2_first_column else (entry_next_column + 1) mod 32;
-        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_column else entry_next_top;
+      if entry_order_falls then
+        entry_order_falls <= entry_order_falls_any;
+      else
+        entry_order_falls <= entry_order_falls_all;
       end if;
-      entry_order_address_choice := 31 when entry_order_falls else 1;
-      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if slice0_tag_2_end_of_line then
+        entry_order_complete <= entry_order_complete or entry_order_complete_all;
+      else
+        entry_order_complete <= entry_order_complete and entry_order_complete_any;
+      end if;
+      if entry_order_complete_all then
+        if slice0_tag_2_first_column then
+          entry_next_column <= 0;
+          entry_next_top <= slice0_tag_2_start_of_frame;
+        else
+          entry_next_column <= (entry_next_column + 1) mod 32;
+          entry_next_top <= entry_next_top;
+        end if;
+      end if;
+      if entry_order_falls then
+        entry_order_address_choice := 31;
+      else
+        entry_order_address_choice := 1;
+      end if;
+      if entry_order_falls then
+        entry_order_address_choice_2 := 0;
+      else
+        entry_order_address_choice_2 := 7;
+      end if;
       if not entry_order_complete_any then
-        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
-          else entry_order_address_choice_2 * 4;
+        if entry_order_falls_any then
+          entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32;
+        else
+          entry_order_address <= entry_order_address_choice_2 * 4;
+        end if;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
@@ -1261,18 +1512,36 @@ begin
         entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
       -- forward
-      forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
-        forward_left_cost_0;
-      forward_left_pair_1_choice := forward_left_cost_3 when (forward_left_cost_3 - forward_left_cost_1) < 0 else
-        forward_left_cost_1;
-      forward_left_pair_2_choice := forward_left_cost_6 when (forward_left_cost_6 - forward_left_cost_4) < 0 else
-        forward_left_cost_4;
-      forward_left_pair_3_choice := forward_left_cost_7 when (forward_left_cost_7 - forward_left_cost_5) < 0 else
-        forward_left_cost_5;
-      forward_left_pair_4_choice := forward_left_cost_10 when (forward_left_cost_10 - forward_left_cost_8) < 0 else
-        forward_left_cost_8;
-      forward_left_pair_5_choice := forward_left_cost_11 when (forward_left_cost_11 - forward_left_cost_9) < 0 else
-        forward_left_cost_9;
+      if (forward_left_cost_2 - forward_left_cost_0) < 0 then
+        forward_left_pair_0_choice := forward_left_cost_2;
+      else
+        forward_left_pair_0_choice := forward_left_cost_0;
+      end if;
+      if (forward_left_cost_3 - forward_left_cost_1) < 0 then
+        forward_left_pair_1_choice := forward_left_cost_3;
+      else
+        forward_left_pair_1_choice := forward_left_cost_1;
+      end if;
+      if (forward_left_cost_6 - forward_left_cost_4) < 0 then
+        forward_left_pair_2_choice := forward_left_cost_6;
+      else
+        forward_left_pair_2_choice := forward_left_cost_4;
+      end if;
+      if (forward_left_cost_7 - forward_left_cost_5) < 0 then
+        forward_left_pair_3_choice := forward_left_cost_7;
+      else
+        forward_left_pair_3_choice := forward_left_cost_5;
+      end if;
+      if (forward_left_cost_10 - forward_left_cost_8) < 0 then
+        forward_left_pair_4_choice := forward_left_cost_10;
+      else
+        forward_left_pair_4_choice := forward_left_cost_8;
+      end if;
+      if (forward_left_cost_11 - forward_left_cost_9) < 0 then
+        forward_left_pair_5_choice := forward_left_cost_11;
+      else
+        forward_left_pair_5_choice := forward_left_cost_9;
+      end if;
       forward_left_start_cost_0_value := (((forward_left_tree_next_next_smallest_0 mod 64) + forward_left_room) / 64) =
         1;
       if forward_left_start_cost_0_value then
@@ -1291,122 +1560,273 @@ begin
       else
         forward_left_room_choice := forward_left_room;
       end if;
-      forward_left_room_choice_2 := 0 when (forward_left_tree_next_next_smallest_0 / 64) = 1 else
-        forward_left_room_choice;
-      forward_left_cost_0_choice := forward_left_arrived_0 when (forward_left_arrived_0 - forward_left_cost_0) < 0 else
-        forward_left_cost_0;
-      forward_left_cost_0_choice_2 := 64 when ((forward_left_cost_0_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_0_choice;
-      forward_left_cost_1_choice := forward_left_arrived_1 when (forward_left_arrived_1 - forward_left_cost_1) < 0 else
-        forward_left_cost_1;
-      forward_left_cost_1_choice_2 := 64 when ((forward_left_cost_1_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_1_choice;
-      forward_left_cost_2_choice := forward_left_arrived_2 when (forward_left_arrived_2 - forward_left_cost_2) < 0 else
-        forward_left_cost_2;
-      forward_left_cost_2_choice_2 := 64 when ((forward_left_cost_2_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_2_choice;
-      forward_left_cost_3_choice := forward_left_arrived_3 when (forward_left_arrived_3 - forward_left_cost_3) < 0 else
-        forward_left_cost_3;
-      forward_left_cost_3_choice_2 := 64 when ((forward_left_cost_3_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_3_choice;
-      forward_left_cost_4_choice := forward_left_arrived_4 when (forward_left_arrived_4 - forward_left_cost_4) < 0 else
-        forward_left_cost_4;
-      forward_left_cost_4_choice_2 := 64 when ((forward_left_cost_4_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_4_choice;
-      forward_left_cost_5_choice := forward_left_arrived_5 when (forward_left_arrived_5 - forward_left_cost_5) < 0 else
-        forward_left_cost_5;
-      forward_left_cost_5_choice_2 := 64 when ((forward_left_cost_5_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_5_choice;
-      forward_left_cost_6_choice := forward_left_arrived_6 when (forward_left_arrived_6 - forward_left_cost_6) < 0 else
-        forward_left_cost_6;
-      forward_left_cost_6_choice_2 := 64 when ((forward_left_cost_6_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_6_choice;
-      forward_left_cost_7_choice := forward_left_arrived_7 when (forward_left_arrived_7 - forward_left_cost_7) < 0 else
-        forward_left_cost_7;
-      forward_left_cost_7_choice_2 := 64 when ((forward_left_cost_7_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_7_choice;
-      forward_left_cost_8_choice := forward_left_arrived_8 when (forward_left_arrived_8 - forward_left_cost_8) < 0 else
-        forward_left_cost_8;
-      forward_left_cost_8_choice_2 := 64 when ((forward_left_cost_8_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_8_choice;
-      forward_left_cost_9_choice := forward_left_arrived_9 when (forward_left_arrived_9 - forward_left_cost_9) < 0 else
-        forward_left_cost_9;
-      forward_left_cost_9_choice_2 := 64 when ((forward_left_cost_9_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_9_choice;
-      forward_left_cost_10_choice := forward_left_arrived_10 when (forward_left_arrived_10 - forward_left_cost_10) < 0
-        else forward_left_cost_10;
-      forward_left_cost_10_choice_2 := 64 when ((forward_left_cost_10_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_10_choice;
-      forward_left_cost_11_choice := forward_left_arrived_11 when (forward_left_arrived_11 - forward_left_cost_11) < 0
-        else forward_left_cost_11;
-      forward_left_cost_11_choice_2 := 64 when ((forward_left_cost_11_choice / 64) = 1) or forward_left_first_2 else
-        forward_left_cost_11_choice;
-      forward_left_arrived_0_choice := 64 when forward_left_first_2 else forward_left_cost_1;
-      forward_left_arrived_1_choice := 64 when forward_left_first_2 else forward_left_pair_0_choice;
-      forward_left_arrived_2_choice := 64 when forward_left_first_2 else forward_left_pair_1_choice;
-      forward_left_arrived_3_choice := forward_left_cost_4 when (forward_left_cost_4 - forward_left_cost_2) < 0 else
-        forward_left_cost_2;
-      forward_left_arrived_3_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_3_choice;
-      forward_left_arrived_4_choice := forward_left_cost_5 when (forward_left_cost_5 - forward_left_cost_3) < 0 else
-        forward_left_cost_3;
-      forward_left_arrived_4_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_4_choice;
-      forward_left_arrived_5_choice := 64 when forward_left_first_2 else forward_left_pair_2_choice;
-      forward_left_arrived_6_choice := 64 when forward_left_first_2 else forward_left_pair_3_choice;
-      forward_left_arrived_7_choice := forward_left_cost_8 when (forward_left_cost_8 - forward_left_cost_6) < 0 else
-        forward_left_cost_6;
-      forward_left_arrived_7_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_7_choice;
-      forward_left_arrived_8_choice := forward_left_cost_9 when (forward_left_cost_9 - forward_left_cost_7) < 0 else
-        forward_left_cost_7;
-      forward_left_arrived_8_choice_2 := 64 when forward_left_first_2 else forward_left_arrived_8_choice;
-      forward_left_arrived_9_choice := 64 when forward_left_first_2 else forward_left_pair_4_choice;
-      forward_left_arrived_10_choice := 64 when forward_left_first_2 else forward_left_pair_5_choice;
-      forward_left_arrived_11_choice := 64 when forward_left_first_2 else forward_left_cost_10;
-      forward_above_total_0_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(4
-        downto 0));
-      forward_above_total_1_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(9
-        downto 5));
-      forward_above_total_2_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(14
-        downto 10));
-      forward_above_total_3_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(19
-        downto 15));
-      forward_above_total_4_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(24
-        downto 20));
-      forward_above_total_5_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(29
-        downto 25));
-      forward_above_total_6_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(4
-        downto 0));
-      forward_above_total_7_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(9
-        downto 5));
-      forward_above_total_8_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(14
-        downto 10));
-      forward_above_total_9_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(19
-        downto 15));
-      forward_above_total_10_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(24
-        downto 20));
-      forward_above_total_11_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(29
-        downto 25));
+      if (forward_left_tree_next_next_smallest_0 / 64) = 1 then
+        forward_left_room_choice_2 := 0;
+      else
+        forward_left_room_choice_2 := forward_left_room_choice;
+      end if;
+      if (forward_left_arrived_0 - forward_left_cost_0) < 0 then
+        forward_left_cost_0_choice := forward_left_arrived_0;
+      else
+        forward_left_cost_0_choice := forward_left_cost_0;
+      end if;
+      if ((forward_left_cost_0_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_0_choice_2 := 64;
+      else
+        forward_left_cost_0_choice_2 := forward_left_cost_0_choice;
+      end if;
+      if (forward_left_arrived_1 - forward_left_cost_1) < 0 then
+        forward_left_cost_1_choice := forward_left_arrived_1;
+      else
+        forward_left_cost_1_choice := forward_left_cost_1;
+      end if;
+      if ((forward_left_cost_1_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_1_choice_2 := 64;
+      else
+        forward_left_cost_1_choice_2 := forward_left_cost_1_choice;
+      end if;
+      if (forward_left_arrived_2 - forward_left_cost_2) < 0 then
+        forward_left_cost_2_choice := forward_left_arrived_2;
+      else
+        forward_left_cost_2_choice := forward_left_cost_2;
+      end if;
+      if ((forward_left_cost_2_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_2_choice_2 := 64;
+      else
+        forward_left_cost_2_choice_2 := forward_left_cost_2_choice;
+      end if;
+      if (forward_left_arrived_3 - forward_left_cost_3) < 0 then
+        forward_left_cost_3_choice := forward_left_arrived_3;
+      else
+        forward_left_cost_3_choice := forward_left_cost_3;
+      end if;
+      if ((forward_left_cost_3_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_3_choice_2 := 64;
+      else
+        forward_left_cost_3_choice_2 := forward_left_cost_3_choice;
+      end if;
+      if (forward_left_arrived_4 - forward_left_cost_4) < 0 then
+        forward_left_cost_4_choice := forward_left_arrived_4;
+      else
+        forward_left_cost_4_choice := forward_left_cost_4;
+      end if;
+      if ((forward_left_cost_4_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_4_choice_2 := 64;
+      else
+        forward_left_cost_4_choice_2 := forward_left_cost_4_choice;
+      end if;
+      if (forward_left_arrived_5 - forward_left_cost_5) < 0 then
+        forward_left_cost_5_choice := forward_left_arrived_5;
+      else
+        forward_left_cost_5_choice := forward_left_cost_5;
+      end if;
+      if ((forward_left_cost_5_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_5_choice_2 := 64;
+      else
+        forward_left_cost_5_choice_2 := forward_left_cost_5_choice;
+      end if;
+      if (forward_left_arrived_6 - forward_left_cost_6) < 0 then
+        forward_left_cost_6_choice := forward_left_arrived_6;
+      else
+        forward_left_cost_6_choice := forward_left_cost_6;
+      end if;
+      if ((forward_left_cost_6_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_6_choice_2 := 64;
+      else
+        forward_left_cost_6_choice_2 := forward_left_cost_6_choice;
+      end if;
+      if (forward_left_arrived_7 - forward_left_cost_7) < 0 then
+        forward_left_cost_7_choice := forward_left_arrived_7;
+      else
+        forward_left_cost_7_choice := forward_left_cost_7;
+      end if;
+      if ((forward_left_cost_7_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_7_choice_2 := 64;
+      else
+        forward_left_cost_7_choice_2 := forward_left_cost_7_choice;
+      end if;
+      if (forward_left_arrived_8 - forward_left_cost_8) < 0 then
+        forward_left_cost_8_choice := forward_left_arrived_8;
+      else
+        forward_left_cost_8_choice := forward_left_cost_8;
+      end if;
+      if ((forward_left_cost_8_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_8_choice_2 := 64;
+      else
+        forward_left_cost_8_choice_2 := forward_left_cost_8_choice;
+      end if;
+      if (forward_left_arrived_9 - forward_left_cost_9) < 0 then
+        forward_left_cost_9_choice := forward_left_arrived_9;
+      else
+        forward_left_cost_9_choice := forward_left_cost_9;
+      end if;
+      if ((forward_left_cost_9_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_9_choice_2 := 64;
+      else
+        forward_left_cost_9_choice_2 := forward_left_cost_9_choice;
+      end if;
+      if (forward_left_arrived_10 - forward_left_cost_10) < 0 then
+        forward_left_cost_10_choice := forward_left_arrived_10;
+      else
+        forward_left_cost_10_choice := forward_left_cost_10;
+      end if;
+      if ((forward_left_cost_10_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_10_choice_2 := 64;
+      else
+        forward_left_cost_10_choice_2 := forward_left_cost_10_choice;
+      end if;
+      if (forward_left_arrived_11 - forward_left_cost_11) < 0 then
+        forward_left_cost_11_choice := forward_left_arrived_11;
+      else
+        forward_left_cost_11_choice := forward_left_cost_11;
+      end if;
+      if ((forward_left_cost_11_choice / 64) = 1) or forward_left_first_2 then
+        forward_left_cost_11_choice_2 := 64;
+      else
+        forward_left_cost_11_choice_2 := forward_left_cost_11_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_0_choice := 64;
+      else
+        forward_left_arrived_0_choice := forward_left_cost_1;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_1_choice := 64;
+      else
+        forward_left_arrived_1_choice := forward_left_pair_0_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_2_choice := 64;
+      else
+        forward_left_arrived_2_choice := forward_left_pair_1_choice;
+      end if;
+      if (forward_left_cost_4 - forward_left_cost_2) < 0 then
+        forward_left_arrived_3_choice := forward_left_cost_4;
+      else
+        forward_left_arrived_3_choice := forward_left_cost_2;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_3_choice_2 := 64;
+      else
+        forward_left_arrived_3_choice_2 := forward_left_arrived_3_choice;
+      end if;
+      if (forward_left_cost_5 - forward_left_cost_3) < 0 then
+        forward_left_arrived_4_choice := forward_left_cost_5;
+      else
+        forward_left_arrived_4_choice := forward_left_cost_3;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_4_choice_2 := 64;
+      else
+        forward_left_arrived_4_choice_2 := forward_left_arrived_4_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_5_choice := 64;
+      else
+        forward_left_arrived_5_choice := forward_left_pair_2_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_6_choice := 64;
+      else
+        forward_left_arrived_6_choice := forward_left_pair_3_choice;
+      end if;
+      if (forward_left_cost_8 - forward_left_cost_6) < 0 then
+        forward_left_arrived_7_choice := forward_left_cost_8;
+      else
+        forward_left_arrived_7_choice := forward_left_cost_6;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_7_choice_2 := 64;
+      else
+        forward_left_arrived_7_choice_2 := forward_left_arrived_7_choice;
+      end if;
+      if (forward_left_cost_9 - forward_left_cost_7) < 0 then
+        forward_left_arrived_8_choice := forward_left_cost_9;
+      else
+        forward_left_arrived_8_choice := forward_left_cost_7;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_8_choice_2 := 64;
+      else
+        forward_left_arrived_8_choice_2 := forward_left_arrived_8_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_9_choice := 64;
+      else
+        forward_left_arrived_9_choice := forward_left_pair_4_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_10_choice := 64;
+      else
+        forward_left_arrived_10_choice := forward_left_pair_5_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_11_choice := 64;
+      else
+        forward_left_arrived_11_choice := forward_left_cost_10;
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_0_choice := 22;
+      else
+        forward_above_total_0_choice := to_integer(forward_above_ready_words_0(4 downto 0));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_1_choice := 22;
+      else
+        forward_above_total_1_choice := to_integer(forward_above_ready_words_0(9 downto 5));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_2_choice := 22;
+      else
+        forward_above_total_2_choice := to_integer(forward_above_ready_words_0(14 downto 10));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_3_choice := 22;
+      else
+        forward_above_total_3_choice := to_integer(forward_above_ready_words_0(19 downto 15));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_4_choice := 22;
+      else
+        forward_above_total_4_choice := to_integer(forward_above_ready_words_0(24 downto 20));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_5_choice := 22;
+      else
+        forward_above_total_5_choice := to_integer(forward_above_ready_words_0(29 downto 25));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_6_choice := 22;
+      else
+        forward_above_total_6_choice := to_integer(forward_above_ready_words_1(4 downto 0));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_7_choice := 22;
+      else
+        forward_above_total_7_choice := to_integer(forward_above_ready_words_1(9 downto 5));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_8_choice := 22;
+      else
+        forward_above_total_8_choice := to_integer(forward_above_ready_words_1(14 downto 10));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_9_choice := 22;
+      else
+        forward_above_total_9_choice := to_integer(forward_above_ready_words_1(19 downto 15));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_10_choice := 22;
+      else
+        forward_above_total_10_choice := to_integer(forward_above_ready_words_1(24 downto 20));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_11_choice := 22;
+      else
+        forward_above_total_11_choice := to_integer(forward_above_ready_words_1(29 downto 25));
+      end if;
       if entry_tag_valid then
-        forward_smallest_smallest_0 <= entry_cost_1 when (entry_cost_1 - entry_cost_0) < 0 else entry_cost_0;
-        forward_smallest_smallest_1 <= entry_cost_3 when (entry_cost_3 - entry_cost_2) < 0 else entry_cost_2;
-        forward_smallest_smallest_2 <= entry_cost_5 when (entry_cost_5 - entry_cost_4) < 0 else entry_cost_4;
-        forward_smallest_smallest_3 <= entry_cost_7 when (entry_cost_7 - entry_cost_6) < 0 else entry_cost_6;
-        forward_smallest_smallest_4 <= entry_cost_9 when (entry_cost_9 - entry_cost_8) < 0 else entry_cost_8;
-        forward_smallest_smallest_5 <= entry_cost_11 when (entry_cost_11 - entry_cost_10) < 0 else entry_cost_10;
-        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when (forward_smallest_smallest_1 -
-          forward_smallest_smallest_0) < 0 else forward_smallest_smallest_0;
-        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when (forward_smallest_smallest_3 -
-          forward_smallest_smallest_2) < 0 else forward_smallest_smallest_2;
-        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when (forward_smallest_smallest_5 -
-          forward_smallest_smallest_4) < 0 else forward_smallest_smallest_4;
-        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when
-          (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 else
-          forward_smallest_next_smallest_0;
         forward_smallest_next_next_smallest_1 <= forward_smallest_next_smallest_2;
-        forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1 when
-          (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 else
-          forward_smallest_next_next_smallest_0;
-        forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 4 else
-          (forward_cost_delay_ring_read_address + 1) mod 8;
         forward_cost_delay_ring_write_address <= forward_cost_delay_ring_read_address;
         forward_left_pair_0 <= forward_left_pair_0_choice;
         forward_left_pair_1 <= forward_left_pair_1_choice;
@@ -1414,27 +1834,7 @@ begin
         forward_left_pair_3 <= forward_left_pair_3_choice;
         forward_left_pair_4 <= forward_left_pair_4_choice;
         forward_left_pair_5 <= forward_left_pair_5_choice;
-        forward_left_tree_smallest_0 <= forward_left_pair_1 when (forward_left_pair_1 - forward_left_pair_0) < 0 else
-          forward_left_pair_0;
-        forward_left_tree_smallest_1 <= forward_left_pair_3 when (forward_left_pair_3 - forward_left_pair_2) < 0 else
-          forward_left_pair_2;
-        forward_left_tree_smallest_2 <= forward_left_pair_5 when (forward_left_pair_5 - forward_left_pair_4) < 0 else
-          forward_left_pair_4;
-        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when (forward_left_tree_smallest_1 -
-          forward_left_tree_smallest_0) < 0 else forward_left_tree_smallest_0;
         forward_left_tree_next_smallest_1 <= forward_left_tree_smallest_2;
-        forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1 when
-          (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 else
-          forward_left_tree_next_smallest_0;
-        forward_left_start_cost_0 <= 22 when sums_right_first_2 else forward_left_start_cost_0_choice_2;
-        forward_left_start_cost_1 <= 0 when sums_right_first_2 else forward_left_start_cost_0;
-        forward_left_start_cost_2 <= 0 when sums_right_first_2 else forward_left_start_cost_1;
-        forward_left_start_cost_3 <= 0 when sums_right_first_2 else forward_left_start_cost_2;
-        forward_left_start_cost_4 <= 0 when sums_right_first_2 else forward_left_start_cost_3;
-        forward_left_start_cost_5 <= 0 when sums_right_first_2 else forward_left_start_cost_4;
-        forward_left_start_cost_6 <= 0 when sums_right_first_2 else forward_left_start_cost_5;
-        forward_left_room <= 0 when sums_right_first_2 else (forward_left_room_choice_2 + forward_left_start_cost_6)
-          mod 32;
         forward_left_smallest <= forward_smallest_next_next_next_smallest_0;
         forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 + 123) mod 128;
         forward_left_first_0 <= sums_right_first_2;
@@ -1517,33 +1917,7 @@ begin
         forward_above_total_9 <= forward_above_total_9_choice + forward_above_ready_cost_9;
         forward_above_total_10 <= forward_above_total_10_choice + forward_above_ready_cost_10;
         forward_above_total_11 <= forward_above_total_11_choice + forward_above_ready_cost_11;
-        forward_above_tree_smallest_0 <= forward_above_total_1 when (forward_above_total_1 - forward_above_total_0) < 0
-          else forward_above_total_0;
-        forward_above_tree_smallest_1 <= forward_above_total_3 when (forward_above_total_3 - forward_above_total_2) < 0
-          else forward_above_total_2;
-        forward_above_tree_smallest_2 <= forward_above_total_5 when (forward_above_total_5 - forward_above_total_4) < 0
-          else forward_above_total_4;
-        forward_above_tree_smallest_3 <= forward_above_total_7 when (forward_above_total_7 - forward_above_total_6) < 0
-          else forward_above_total_6;
-        forward_above_tree_smallest_4 <= forward_above_total_9 when (forward_above_total_9 - forward_above_total_8) < 0
-          else forward_above_total_8;
-        forward_above_tree_smallest_5 <= forward_above_total_11 when (forward_above_total_11 - forward_above_total_10)
-          < 0 else forward_above_total_10;
-        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when (forward_above_tree_smallest_1 -
-          forward_above_tree_smallest_0) < 0 else forward_above_tree_smallest_0;
-        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when (forward_above_tree_smallest_3 -
-          forward_above_tree_smallest_2) < 0 else forward_above_tree_smallest_2;
-        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when (forward_above_tree_smallest_5 -
-          forward_above_tree_smallest_4) < 0 else forward_above_tree_smallest_4;
-        forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1 when
-          (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 else
-          forward_above_tree_next_smallest_0;
         forward_above_tree_next_next_smallest_1 <= forward_above_tree_next_smallest_2;
-        forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1 when
-          (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 else
-          forward_above_tree_next_next_smallest_0;
-        forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
-          (forward_above_delay_ring_read_address + 1) mod 8;
         forward_above_delay_ring_write_address <= forward_above_delay_ring_read_address;
         forward_above_smallest_copy_0 <= forward_above_tree_next_next_next_smallest_0;
         forward_above_cost_0 <= (to_integer(forward_above_delay_held_0) - forward_above_smallest_copy_0) mod 64;
@@ -1568,26 +1942,6 @@ begin
         forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(12 downto 6)) - forward_above_smallest_copy_0)
           mod 64;
         forward_above_beside_0 <= forward_above_cost_1;
-        forward_above_beside_1 <= forward_above_cost_2 when (forward_above_cost_2 - forward_above_cost_0) < 0 else
-          forward_above_cost_0;
-        forward_above_beside_2 <= forward_above_cost_3 when (forward_above_cost_3 - forward_above_cost_1) < 0 else
-          forward_above_cost_1;
-        forward_above_beside_3 <= forward_above_cost_4 when (forward_above_cost_4 - forward_above_cost_2) < 0 else
-          forward_above_cost_2;
-        forward_above_beside_4 <= forward_above_cost_5 when (forward_above_cost_5 - forward_above_cost_3) < 0 else
-          forward_above_cost_3;
-        forward_above_beside_5 <= forward_above_cost_6 when (forward_above_cost_6 - forward_above_cost_4) < 0 else
-          forward_above_cost_4;
-        forward_above_beside_6 <= forward_above_cost_7 when (forward_above_cost_7 - forward_above_cost_5) < 0 else
-          forward_above_cost_5;
-        forward_above_beside_7 <= forward_above_cost_8 when (forward_above_cost_8 - forward_above_cost_6) < 0 else
-          forward_above_cost_6;
-        forward_above_beside_8 <= forward_above_cost_9 when (forward_above_cost_9 - forward_above_cost_7) < 0 else
-          forward_above_cost_7;
-        forward_above_beside_9 <= forward_above_cost_10 when (forward_above_cost_10 - forward_above_cost_8) < 0 else
-          forward_above_cost_8;
-        forward_above_beside_10 <= forward_above_cost_11 when (forward_above_cost_11 - forward_above_cost_9) < 0 else
-          forward_above_cost_9;
         forward_above_beside_11 <= forward_above_cost_10;
         forward_above_own_0 <= forward_above_cost_0;
         forward_above_own_2 <= forward_above_cost_2;
@@ -1611,18 +1965,6 @@ begin
         forward_above_step_9 <= forward_above_beside_9 + 5;
         forward_above_step_10 <= forward_above_beside_10 + 5;
         forward_above_step_11 <= forward_above_beside_11 + 5;
-        forward_above_stay_0 <= forward_above_own_0 mod 32 when forward_above_own_0 < 22 else 22;
-        forward_above_stay_1 <= forward_above_beside_0 mod 32 when forward_above_beside_0 < 22 else 22;
-        forward_above_stay_2 <= forward_above_own_2 mod 32 when forward_above_own_2 < 22 else 22;
-        forward_above_stay_3 <= forward_above_own_3 mod 32 when forward_above_own_3 < 22 else 22;
-        forward_above_stay_4 <= forward_above_own_4 mod 32 when forward_above_own_4 < 22 else 22;
-        forward_above_stay_5 <= forward_above_own_5 mod 32 when forward_above_own_5 < 22 else 22;
-        forward_above_stay_6 <= forward_above_own_6 mod 32 when forward_above_own_6 < 22 else 22;
-        forward_above_stay_7 <= forward_above_own_7 mod 32 when forward_above_own_7 < 22 else 22;
-        forward_above_stay_8 <= forward_above_own_8 mod 32 when forward_above_own_8 < 22 else 22;
-        forward_above_stay_9 <= forward_above_own_9 mod 32 when forward_above_own_9 < 22 else 22;
-        forward_above_stay_10 <= forward_above_beside_11 mod 32 when forward_above_beside_11 < 22 else 22;
-        forward_above_stay_11 <= forward_above_own_11 mod 32 when forward_above_own_11 < 22 else 22;
         forward_above_comes_0 <= entry_tag_map_column;
         forward_above_comes_1 <= forward_above_comes_0;
         forward_above_comes_2 <= forward_above_comes_1;
@@ -1712,33 +2054,346 @@ begin
         forward_smallest_cost_2 <= forward_smallest_cost_1;
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
+        if (entry_cost_1 - entry_cost_0) < 0 then
+          forward_smallest_smallest_0 <= entry_cost_1;
+        else
+          forward_smallest_smallest_0 <= entry_cost_0;
+        end if;
+        if (entry_cost_3 - entry_cost_2) < 0 then
+          forward_smallest_smallest_1 <= entry_cost_3;
+        else
+          forward_smallest_smallest_1 <= entry_cost_2;
+        end if;
+        if (entry_cost_5 - entry_cost_4) < 0 then
+          forward_smallest_smallest_2 <= entry_cost_5;
+        else
+          forward_smallest_smallest_2 <= entry_cost_4;
+        end if;
+        if (entry_cost_7 - entry_cost_6) < 0 then
+          forward_smallest_smallest_3 <= entry_cost_7;
+        else
+          forward_smallest_smallest_3 <= entry_cost_6;
+        end if;
+        if (entry_cost_9 - entry_cost_8) < 0 then
+          forward_smallest_smallest_4 <= entry_cost_9;
+        else
+          forward_smallest_smallest_4 <= entry_cost_8;
+        end if;
+        if (entry_cost_11 - entry_cost_10) < 0 then
+          forward_smallest_smallest_5 <= entry_cost_11;
+        else
+          forward_smallest_smallest_5 <= entry_cost_10;
+        end if;
+        if (forward_smallest_smallest_1 - forward_smallest_smallest_0) < 0 then
+          forward_smallest_next_smallest_0 <= forward_smallest_smallest_1;
+        else
+          forward_smallest_next_smallest_0 <= forward_smallest_smallest_0;
+        end if;
+        if (forward_smallest_smallest_3 - forward_smallest_smallest_2) < 0 then
+          forward_smallest_next_smallest_1 <= forward_smallest_smallest_3;
+        else
+          forward_smallest_next_smallest_1 <= forward_smallest_smallest_2;
+        end if;
+        if (forward_smallest_smallest_5 - forward_smallest_smallest_4) < 0 then
+          forward_smallest_next_smallest_2 <= forward_smallest_smallest_5;
+        else
+          forward_smallest_next_smallest_2 <= forward_smallest_smallest_4;
+        end if;
+        if (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 then
+          forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1;
+        else
+          forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_0;
+        end if;
+        if (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 then
+          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1;
+        else
+          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_0;
+        end if;
+        if forward_cost_delay_ring_read_address = 4 then
+          forward_cost_delay_ring_read_address <= 0;
+        else
+          forward_cost_delay_ring_read_address <= (forward_cost_delay_ring_read_address + 1) mod 8;
+        end if;
+        if (forward_left_pair_1 - forward_left_pair_0) < 0 then
+          forward_left_tree_smallest_0 <= forward_left_pair_1;
+        else
+          forward_left_tree_smallest_0 <= forward_left_pair_0;
+        end if;
+        if (forward_left_pair_3 - forward_left_pair_2) < 0 then
+          forward_left_tree_smallest_1 <= forward_left_pair_3;
+        else
+          forward_left_tree_smallest_1 <= forward_left_pair_2;
+        end if;
+        if (forward_left_pair_5 - forward_left_pair_4) < 0 then
+          forward_left_tree_smallest_2 <= forward_left_pair_5;
+        else
+          forward_left_tree_smallest_2 <= forward_left_pair_4;
+        end if;
+        if (forward_left_tree_smallest_1 - forward_left_tree_smallest_0) < 0 then
+          forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1;
+        else
+          forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_0;
+        end if;
+        if (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 then
+          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1;
+        else
+          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_0;
+        end if;
+        if sums_right_first_2 then
+          forward_left_start_cost_0 <= 22;
+          forward_left_start_cost_1 <= 0;
+          forward_left_start_cost_2 <= 0;
+          forward_left_start_cost_3 <= 0;
+          forward_left_start_cost_4 <= 0;
+          forward_left_start_cost_5 <= 0;
+          forward_left_start_cost_6 <= 0;
+          forward_left_room <= 0;
+        else
+          forward_left_start_cost_0 <= forward_left_start_cost_0_choice_2;
+          forward_left_start_cost_1 <= forward_left_start_cost_0;
+          forward_left_start_cost_2 <= forward_left_start_cost_1;
+          forward_left_start_cost_3 <= forward_left_start_cost_2;
+          forward_left_start_cost_4 <= forward_left_start_cost_3;
+          forward_left_start_cost_5 <= forward_left_start_cost_4;
+          forward_left_start_cost_6 <= forward_left_start_cost_5;
+          forward_left_room <= (forward_left_room_choice_2 + forward_left_start_cost_6) mod 32;
+        end if;
+        if (forward_above_total_1 - forward_above_total_0) < 0 then
+          forward_above_tree_smallest_0 <= forward_above_total_1;
+        else
+          forward_above_tree_smallest_0 <= forward_above_total_0;
+        end if;
+        if (forward_above_total_3 - forward_above_total_2) < 0 then
+          forward_above_tree_smallest_1 <= forward_above_total_3;
+        else
+          forward_above_tree_smallest_1 <= forward_above_total_2;
+        end if;
+        if (forward_above_total_5 - forward_above_total_4) < 0 then
+          forward_above_tree_smallest_2 <= forward_above_total_5;
+        else
+          forward_above_tree_smallest_2 <= forward_above_total_4;
+        end if;
+        if (forward_above_total_7 - forward_above_total_6) < 0 then
+          forward_above_tree_smallest_3 <= forward_above_total_7;
+        else
+          forward_above_tree_smallest_3 <= forward_above_total_6;
+        end if;
+        if (forward_above_total_9 - forward_above_total_8) < 0 then
+          forward_above_tree_smallest_4 <= forward_above_total_9;
+        else
+          forward_above_tree_smallest_4 <= forward_above_total_8;
+        end if;
+        if (forward_above_total_11 - forward_above_total_10) < 0 then
+          forward_above_tree_smallest_5 <= forward_above_total_11;
+        else
+          forward_above_tree_smallest_5 <= forward_above_total_10;
+        end if;
+        if (forward_above_tree_smallest_1 - forward_above_tree_smallest_0) < 0 then
+          forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1;
+        else
+          forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_0;
+        end if;
+        if (forward_above_tree_smallest_3 - forward_above_tree_smallest_2) < 0 then
+          forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3;
+        else
+          forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_2;
+        end if;
+        if (forward_above_tree_smallest_5 - forward_above_tree_smallest_4) < 0 then
+          forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5;
+        else
+          forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_4;
+        end if;
+        if (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 then
+          forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1;
+        else
+          forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_0;
+        end if;
+        if (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 then
+          forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1;
+        else
+          forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_0;
+        end if;
+        if forward_above_delay_ring_read_address = 4 then
+          forward_above_delay_ring_read_address <= 0;
+        else
+          forward_above_delay_ring_read_address <= (forward_above_delay_ring_read_address + 1) mod 8;
+        end if;
+        if (forward_above_cost_2 - forward_above_cost_0) < 0 then
+          forward_above_beside_1 <= forward_above_cost_2;
+        else
+          forward_above_beside_1 <= forward_above_cost_0;
+        end if;
+        if (forward_above_cost_3 - forward_above_cost_1) < 0 then
+          forward_above_beside_2 <= forward_above_cost_3;
+        else
+          forward_above_beside_2 <= forward_above_cost_1;
+        end if;
+        if (forward_above_cost_4 - forward_above_cost_2) < 0 then
+          forward_above_beside_3 <= forward_above_cost_4;
+        else
+          forward_above_beside_3 <= forward_above_cost_2;
+        end if;
+        if (forward_above_cost_5 - forward_above_cost_3) < 0 then
+          forward_above_beside_4 <= forward_above_cost_5;
+        else
+          forward_above_beside_4 <= forward_above_cost_3;
+        end if;
+        if (forward_above_cost_6 - forward_above_cost_4) < 0 then
+          forward_above_beside_5 <= forward_above_cost_6;
+        else
+          forward_above_beside_5 <= forward_above_cost_4;
+        end if;
+        if (forward_above_cost_7 - forward_above_cost_5) < 0 then
+          forward_above_beside_6 <= forward_above_cost_7;
+        else
+          forward_above_beside_6 <= forward_above_cost_5;
+        end if;
+        if (forward_above_cost_8 - forward_above_cost_6) < 0 then
+          forward_above_beside_7 <= forward_above_cost_8;
+        else
+          forward_above_beside_7 <= forward_above_cost_6;
+        end if;
+        if (forward_above_cost_9 - forward_above_cost_7) < 0 then
+          forward_above_beside_8 <= forward_above_cost_9;
+        else
+          forward_above_beside_8 <= forward_above_cost_7;
+        end if;
+        if (forward_above_cost_10 - forward_above_cost_8) < 0 then
+          forward_above_beside_9 <= forward_above_cost_10;
+        else
+          forward_above_beside_9 <= forward_above_cost_8;
+        end if;
+        if (forward_above_cost_11 - forward_above_cost_9) < 0 then
+          forward_above_beside_10 <= forward_above_cost_11;
+        else
+          forward_above_beside_10 <= forward_above_cost_9;
+        end if;
+        if forward_above_own_0 < 22 then
+          forward_above_stay_0 <= forward_above_own_0 mod 32;
+        else
+          forward_above_stay_0 <= 22;
+        end if;
+        if forward_above_beside_0 < 22 then
+          forward_above_stay_1 <= forward_above_beside_0 mod 32;
+        else
+          forward_above_stay_1 <= 22;
+        end if;
+        if forward_above_own_2 < 22 then
+          forward_above_stay_2 <= forward_above_own_2 mod 32;
+        else
+          forward_above_stay_2 <= 22;
+        end if;
+        if forward_above_own_3 < 22 then
+          forward_above_stay_3 <= forward_above_own_3 mod 32;
+        else
+          forward_above_stay_3 <= 22;
+        end if;
+        if forward_above_own_4 < 22 then
+          forward_above_stay_4 <= forward_above_own_4 mod 32;
+        else
+          forward_above_stay_4 <= 22;
+        end if;
+        if forward_above_own_5 < 22 then
+          forward_above_stay_5 <= forward_above_own_5 mod 32;
+        else
+          forward_above_stay_5 <= 22;
+        end if;
+        if forward_above_own_6 < 22 then
+          forward_above_stay_6 <= forward_above_own_6 mod 32;
+        else
+          forward_above_stay_6 <= 22;
+        end if;
+        if forward_above_own_7 < 22 then
+          forward_above_stay_7 <= forward_above_own_7 mod 32;
+        else
+          forward_above_stay_7 <= 22;
+        end if;
+        if forward_above_own_8 < 22 then
+          forward_above_stay_8 <= forward_above_own_8 mod 32;
+        else
+          forward_above_stay_8 <= 22;
+        end if;
+        if forward_above_own_9 < 22 then
+          forward_above_stay_9 <= forward_above_own_9 mod 32;
+        else
+          forward_above_stay_9 <= 22;
+        end if;
+        if forward_above_beside_11 < 22 then
+          forward_above_stay_10 <= forward_above_beside_11 mod 32;
+        else
+          forward_above_stay_10 <= 22;
+        end if;
+        if forward_above_own_11 < 22 then
+          forward_above_stay_11 <= forward_above_own_11 mod 32;
+        else
+          forward_above_stay_11 <= 22;
+        end if;
       end if;
-      forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid)) when
-        forward_above_comes_9 else entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
-      forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
-        else forward_above_stay_4;
-      forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
-        0 else forward_above_stay_5;
-      forward_above_write_words_0_choice_3 := forward_above_step_3 when (forward_above_step_3 - forward_above_stay_3) <
-        0 else forward_above_stay_3;
-      forward_above_write_words_0_choice_4 := forward_above_step_2 when (forward_above_step_2 - forward_above_stay_2) <
-        0 else forward_above_stay_2;
-      forward_above_write_words_0_choice_5 := forward_above_step_0 when (forward_above_step_0 - forward_above_stay_0) <
-        0 else forward_above_stay_0;
-      forward_above_write_words_0_choice_6 := forward_above_step_1 when (forward_above_step_1 - forward_above_stay_1) <
-        0 else forward_above_stay_1;
-      forward_above_write_words_1_choice := forward_above_step_10 when (forward_above_step_10 - forward_above_stay_10)
-        < 0 else forward_above_stay_10;
-      forward_above_write_words_1_choice_2 := forward_above_step_11 when (forward_above_step_11 -
-        forward_above_stay_11) < 0 else forward_above_stay_11;
-      forward_above_write_words_1_choice_3 := forward_above_step_9 when (forward_above_step_9 - forward_above_stay_9) <
-        0 else forward_above_stay_9;
-      forward_above_write_words_1_choice_4 := forward_above_step_8 when (forward_above_step_8 - forward_above_stay_8) <
-        0 else forward_above_stay_8;
-      forward_above_write_words_1_choice_5 := forward_above_step_6 when (forward_above_step_6 - forward_above_stay_6) <
-        0 else forward_above_stay_6;
-      forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
-        0 else forward_above_stay_7;
+      if forward_above_comes_9 then
+        forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid));
+      else
+        forward_above_writes_copy_0 <= entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
+      end if;
+      if (forward_above_step_4 - forward_above_stay_4) < 0 then
+        forward_above_write_words_0_choice := forward_above_step_4;
+      else
+        forward_above_write_words_0_choice := forward_above_stay_4;
+      end if;
+      if (forward_above_step_5 - forward_above_stay_5) < 0 then
+        forward_above_write_words_0_choice_2 := forward_above_step_5;
+      else
+        forward_above_write_words_0_choice_2 := forward_above_stay_5;
+      end if;
+      if (forward_above_step_3 - forward_above_stay_3) < 0 then
+        forward_above_write_words_0_choice_3 := forward_above_step_3;
+      else
+        forward_above_write_words_0_choice_3 := forward_above_stay_3;
+      end if;
+      if (forward_above_step_2 - forward_above_stay_2) < 0 then
+        forward_above_write_words_0_choice_4 := forward_above_step_2;
+      else
+        forward_above_write_words_0_choice_4 := forward_above_stay_2;
+      end if;
+      if (forward_above_step_0 - forward_above_stay_0) < 0 then
+        forward_above_write_words_0_choice_5 := forward_above_step_0;
+      else
+        forward_above_write_words_0_choice_5 := forward_above_stay_0;
+      end if;
+      if (forward_above_step_1 - forward_above_stay_1) < 0 then
+        forward_above_write_words_0_choice_6 := forward_above_step_1;
+      else
+        forward_above_write_words_0_choice_6 := forward_above_stay_1;
+      end if;
+      if (forward_above_step_10 - forward_above_stay_10) < 0 then
+        forward_above_write_words_1_choice := forward_above_step_10;
+      else
+        forward_above_write_words_1_choice := forward_above_stay_10;
+      end if;
+      if (forward_above_step_11 - forward_above_stay_11) < 0 then
+        forward_above_write_words_1_choice_2 := forward_above_step_11;
+      else
+        forward_above_write_words_1_choice_2 := forward_above_stay_11;
+      end if;
+      if (forward_above_step_9 - forward_above_stay_9) < 0 then
+        forward_above_write_words_1_choice_3 := forward_above_step_9;
+      else
+        forward_above_write_words_1_choice_3 := forward_above_stay_9;
+      end if;
+      if (forward_above_step_8 - forward_above_stay_8) < 0 then
+        forward_above_write_words_1_choice_4 := forward_above_step_8;
+      else
+        forward_above_write_words_1_choice_4 := forward_above_stay_8;
+      end if;
+      if (forward_above_step_6 - forward_above_stay_6) < 0 then
+        forward_above_write_words_1_choice_5 := forward_above_step_6;
+      else
+        forward_above_write_words_1_choice_5 := forward_above_stay_6;
+      end if;
+      if (forward_above_step_7 - forward_above_stay_7) < 0 then
+        forward_above_write_words_1_choice_6 := forward_above_step_7;
+      else
+        forward_above_write_words_1_choice_6 := forward_above_stay_7;
+      end if;
       if forward_above_writes_copy_0 then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
           20)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 25)))) or
@@ -1755,18 +2410,36 @@ begin
         forward_above_write_column <= forward_above_column_9;
       end if;
       -- sums
-      sums_right_pair_0_choice := sums_right_cost_2 when (sums_right_cost_2 - sums_right_cost_0) < 0 else
-        sums_right_cost_0;
-      sums_right_pair_1_choice := sums_right_cost_3 when (sums_right_cost_3 - sums_right_cost_1) < 0 else
-        sums_right_cost_1;
-      sums_right_pair_2_choice := sums_right_cost_6 when (sums_right_cost_6 - sums_right_cost_4) < 0 else
-        sums_right_cost_4;
-      sums_right_pair_3_choice := sums_right_cost_7 when (sums_right_cost_7 - sums_right_cost_5) < 0 else
-        sums_right_cost_5;
-      sums_right_pair_4_choice := sums_right_cost_10 when (sums_right_cost_10 - sums_right_cost_8) < 0 else
-        sums_right_cost_8;
-      sums_right_pair_5_choice := sums_right_cost_11 when (sums_right_cost_11 - sums_right_cost_9) < 0 else
-        sums_right_cost_9;
+      if (sums_right_cost_2 - sums_right_cost_0) < 0 then
+        sums_right_pair_0_choice := sums_right_cost_2;
+      else
+        sums_right_pair_0_choice := sums_right_cost_0;
+      end if;
+      if (sums_right_cost_3 - sums_right_cost_1) < 0 then
+        sums_right_pair_1_choice := sums_right_cost_3;
+      else
+        sums_right_pair_1_choice := sums_right_cost_1;
+      end if;
+      if (sums_right_cost_6 - sums_right_cost_4) < 0 then
+        sums_right_pair_2_choice := sums_right_cost_6;
+      else
+        sums_right_pair_2_choice := sums_right_cost_4;
+      end if;
+      if (sums_right_cost_7 - sums_right_cost_5) < 0 then
+        sums_right_pair_3_choice := sums_right_cost_7;
+      else
+        sums_right_pair_3_choice := sums_right_cost_5;
+      end if;
+      if (sums_right_cost_10 - sums_right_cost_8) < 0 then
+        sums_right_pair_4_choice := sums_right_cost_10;
+      else
+        sums_right_pair_4_choice := sums_right_cost_8;
+      end if;
+      if (sums_right_cost_11 - sums_right_cost_9) < 0 then
+        sums_right_pair_5_choice := sums_right_cost_11;
+      else
+        sums_right_pair_5_choice := sums_right_cost_9;
+      end if;
       sums_right_start_cost_0_value := (((sums_right_tree_next_next_smallest_0 mod 64) + sums_right_room) / 64) = 1;
       if sums_right_start_cost_0_value then
         sums_right_start_cost_0_choice := (((as_number(sums_right_start_cost_0_value) + 3) mod 4) * 64) +
@@ -1784,75 +2457,211 @@ begin
       else
         sums_right_room_choice := sums_right_room;
       end if;
-      sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 64) = 1 else sums_right_room_choice;
-      sums_right_cost_0_choice := sums_right_arrived_0 when (sums_right_arrived_0 - sums_right_cost_0) < 0 else
-        sums_right_cost_0;
-      sums_right_cost_0_choice_2 := 64 when ((sums_right_cost_0_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_0_choice;
-      sums_right_cost_1_choice := sums_right_arrived_1 when (sums_right_arrived_1 - sums_right_cost_1) < 0 else
-        sums_right_cost_1;
-      sums_right_cost_1_choice_2 := 64 when ((sums_right_cost_1_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_1_choice;
-      sums_right_cost_2_choice := sums_right_arrived_2 when (sums_right_arrived_2 - sums_right_cost_2) < 0 else
-        sums_right_cost_2;
-      sums_right_cost_2_choice_2 := 64 when ((sums_right_cost_2_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_2_choice;
-      sums_right_cost_3_choice := sums_right_arrived_3 when (sums_right_arrived_3 - sums_right_cost_3) < 0 else
-        sums_right_cost_3;
-      sums_right_cost_3_choice_2 := 64 when ((sums_right_cost_3_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_3_choice;
-      sums_right_cost_4_choice := sums_right_arrived_4 when (sums_right_arrived_4 - sums_right_cost_4) < 0 else
-        sums_right_cost_4;
-      sums_right_cost_4_choice_2 := 64 when ((sums_right_cost_4_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_4_choice;
-      sums_right_cost_5_choice := sums_right_arrived_5 when (sums_right_arrived_5 - sums_right_cost_5) < 0 else
-        sums_right_cost_5;
-      sums_right_cost_5_choice_2 := 64 when ((sums_right_cost_5_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_5_choice;
-      sums_right_cost_6_choice := sums_right_arrived_6 when (sums_right_arrived_6 - sums_right_cost_6) < 0 else
-        sums_right_cost_6;
-      sums_right_cost_6_choice_2 := 64 when ((sums_right_cost_6_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_6_choice;
-      sums_right_cost_7_choice := sums_right_arrived_7 when (sums_right_arrived_7 - sums_right_cost_7) < 0 else
-        sums_right_cost_7;
-      sums_right_cost_7_choice_2 := 64 when ((sums_right_cost_7_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_7_choice;
-      sums_right_cost_8_choice := sums_right_arrived_8 when (sums_right_arrived_8 - sums_right_cost_8) < 0 else
-        sums_right_cost_8;
-      sums_right_cost_8_choice_2 := 64 when ((sums_right_cost_8_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_8_choice;
-      sums_right_cost_9_choice := sums_right_arrived_9 when (sums_right_arrived_9 - sums_right_cost_9) < 0 else
-        sums_right_cost_9;
-      sums_right_cost_9_choice_2 := 64 when ((sums_right_cost_9_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_9_choice;
-      sums_right_cost_10_choice := sums_right_arrived_10 when (sums_right_arrived_10 - sums_right_cost_10) < 0 else
-        sums_right_cost_10;
-      sums_right_cost_10_choice_2 := 64 when ((sums_right_cost_10_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_10_choice;
-      sums_right_cost_11_choice := sums_right_arrived_11 when (sums_right_arrived_11 - sums_right_cost_11) < 0 else
-        sums_right_cost_11;
-      sums_right_cost_11_choice_2 := 64 when ((sums_right_cost_11_choice / 64) = 1) or forward_first_3 else
-        sums_right_cost_11_choice;
-      sums_right_arrived_0_choice := 64 when forward_first_3 else sums_right_cost_1;
-      sums_right_arrived_1_choice := 64 when forward_first_3 else sums_right_pair_0_choice;
-      sums_right_arrived_2_choice := 64 when forward_first_3 else sums_right_pair_1_choice;
-      sums_right_arrived_3_choice := sums_right_cost_4 when (sums_right_cost_4 - sums_right_cost_2) < 0 else
-        sums_right_cost_2;
-      sums_right_arrived_3_choice_2 := 64 when forward_first_3 else sums_right_arrived_3_choice;
-      sums_right_arrived_4_choice := sums_right_cost_5 when (sums_right_cost_5 - sums_right_cost_3) < 0 else
-        sums_right_cost_3;
-      sums_right_arrived_4_choice_2 := 64 when forward_first_3 else sums_right_arrived_4_choice;
-      sums_right_arrived_5_choice := 64 when forward_first_3 else sums_right_pair_2_choice;
-      sums_right_arrived_6_choice := 64 when forward_first_3 else sums_right_pair_3_choice;
-      sums_right_arrived_7_choice := sums_right_cost_8 when (sums_right_cost_8 - sums_right_cost_6) < 0 else
-        sums_right_cost_6;
-      sums_right_arrived_7_choice_2 := 64 when forward_first_3 else sums_right_arrived_7_choice;
-      sums_right_arrived_8_choice := sums_right_cost_9 when (sums_right_cost_9 - sums_right_cost_7) < 0 else
-        sums_right_cost_7;
-      sums_right_arrived_8_choice_2 := 64 when forward_first_3 else sums_right_arrived_8_choice;
-      sums_right_arrived_9_choice := 64 when forward_first_3 else sums_right_pair_4_choice;
-      sums_right_arrived_10_choice := 64 when forward_first_3 else sums_right_pair_5_choice;
-      sums_right_arrived_11_choice := 64 when forward_first_3 else sums_right_cost_10;
+      if (sums_right_tree_next_next_smallest_0 / 64) = 1 then
+        sums_right_room_choice_2 := 0;
+      else
+        sums_right_room_choice_2 := sums_right_room_choice;
+      end if;
+      if (sums_right_arrived_0 - sums_right_cost_0) < 0 then
+        sums_right_cost_0_choice := sums_right_arrived_0;
+      else
+        sums_right_cost_0_choice := sums_right_cost_0;
+      end if;
+      if ((sums_right_cost_0_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_0_choice_2 := 64;
+      else
+        sums_right_cost_0_choice_2 := sums_right_cost_0_choice;
+      end if;
+      if (sums_right_arrived_1 - sums_right_cost_1) < 0 then
+        sums_right_cost_1_choice := sums_right_arrived_1;
+      else
+        sums_right_cost_1_choice := sums_right_cost_1;
+      end if;
+      if ((sums_right_cost_1_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_1_choice_2 := 64;
+      else
+        sums_right_cost_1_choice_2 := sums_right_cost_1_choice;
+      end if;
+      if (sums_right_arrived_2 - sums_right_cost_2) < 0 then
+        sums_right_cost_2_choice := sums_right_arrived_2;
+      else
+        sums_right_cost_2_choice := sums_right_cost_2;
+      end if;
+      if ((sums_right_cost_2_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_2_choice_2 := 64;
+      else
+        sums_right_cost_2_choice_2 := sums_right_cost_2_choice;
+      end if;
+      if (sums_right_arrived_3 - sums_right_cost_3) < 0 then
+        sums_right_cost_3_choice := sums_right_arrived_3;
+      else
+        sums_right_cost_3_choice := sums_right_cost_3;
+      end if;
+      if ((sums_right_cost_3_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_3_choice_2 := 64;
+      else
+        sums_right_cost_3_choice_2 := sums_right_cost_3_choice;
+      end if;
+      if (sums_right_arrived_4 - sums_right_cost_4) < 0 then
+        sums_right_cost_4_choice := sums_right_arrived_4;
+      else
+        sums_right_cost_4_choice := sums_right_cost_4;
+      end if;
+      if ((sums_right_cost_4_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_4_choice_2 := 64;
+      else
+        sums_right_cost_4_choice_2 := sums_right_cost_4_choice;
+      end if;
+      if (sums_right_arrived_5 - sums_right_cost_5) < 0 then
+        sums_right_cost_5_choice := sums_right_arrived_5;
+      else
+        sums_right_cost_5_choice := sums_right_cost_5;
+      end if;
+      if ((sums_right_cost_5_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_5_choice_2 := 64;
+      else
+        sums_right_cost_5_choice_2 := sums_right_cost_5_choice;
+      end if;
+      if (sums_right_arrived_6 - sums_right_cost_6) < 0 then
+        sums_right_cost_6_choice := sums_right_arrived_6;
+      else
+        sums_right_cost_6_choice := sums_right_cost_6;
+      end if;
+      if ((sums_right_cost_6_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_6_choice_2 := 64;
+      else
+        sums_right_cost_6_choice_2 := sums_right_cost_6_choice;
+      end if;
+      if (sums_right_arrived_7 - sums_right_cost_7) < 0 then
+        sums_right_cost_7_choice := sums_right_arrived_7;
+      else
+        sums_right_cost_7_choice := sums_right_cost_7;
+      end if;
+      if ((sums_right_cost_7_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_7_choice_2 := 64;
+      else
+        sums_right_cost_7_choice_2 := sums_right_cost_7_choice;
+      end if;
+      if (sums_right_arrived_8 - sums_right_cost_8) < 0 then
+        sums_right_cost_8_choice := sums_right_arrived_8;
+      else
+        sums_right_cost_8_choice := sums_right_cost_8;
+      end if;
+      if ((sums_right_cost_8_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_8_choice_2 := 64;
+      else
+        sums_right_cost_8_choice_2 := sums_right_cost_8_choice;
+      end if;
+      if (sums_right_arrived_9 - sums_right_cost_9) < 0 then
+        sums_right_cost_9_choice := sums_right_arrived_9;
+      else
+        sums_right_cost_9_choice := sums_right_cost_9;
+      end if;
+      if ((sums_right_cost_9_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_9_choice_2 := 64;
+      else
+        sums_right_cost_9_choice_2 := sums_right_cost_9_choice;
+      end if;
+      if (sums_right_arrived_10 - sums_right_cost_10) < 0 then
+        sums_right_cost_10_choice := sums_right_arrived_10;
+      else
+        sums_right_cost_10_choice := sums_right_cost_10;
+      end if;
+      if ((sums_right_cost_10_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_10_choice_2 := 64;
+      else
+        sums_right_cost_10_choice_2 := sums_right_cost_10_choice;
+      end if;
+      if (sums_right_arrived_11 - sums_right_cost_11) < 0 then
+        sums_right_cost_11_choice := sums_right_arrived_11;
+      else
+        sums_right_cost_11_choice := sums_right_cost_11;
+      end if;
+      if ((sums_right_cost_11_choice / 64) = 1) or forward_first_3 then
+        sums_right_cost_11_choice_2 := 64;
+      else
+        sums_right_cost_11_choice_2 := sums_right_cost_11_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_0_choice := 64;
+      else
+        sums_right_arrived_0_choice := sums_right_cost_1;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_1_choice := 64;
+      else
+        sums_right_arrived_1_choice := sums_right_pair_0_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_2_choice := 64;
+      else
+        sums_right_arrived_2_choice := sums_right_pair_1_choice;
+      end if;
+      if (sums_right_cost_4 - sums_right_cost_2) < 0 then
+        sums_right_arrived_3_choice := sums_right_cost_4;
+      else
+        sums_right_arrived_3_choice := sums_right_cost_2;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_3_choice_2 := 64;
+      else
+        sums_right_arrived_3_choice_2 := sums_right_arrived_3_choice;
+      end if;
+      if (sums_right_cost_5 - sums_right_cost_3) < 0 then
+        sums_right_arrived_4_choice := sums_right_cost_5;
+      else
+        sums_right_arrived_4_choice := sums_right_cost_3;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_4_choice_2 := 64;
+      else
+        sums_right_arrived_4_choice_2 := sums_right_arrived_4_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_5_choice := 64;
+      else
+        sums_right_arrived_5_choice := sums_right_pair_2_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_6_choice := 64;
+      else
+        sums_right_arrived_6_choice := sums_right_pair_3_choice;
+      end if;
+      if (sums_right_cost_8 - sums_right_cost_6) < 0 then
+        sums_right_arrived_7_choice := sums_right_cost_8;
+      else
+        sums_right_arrived_7_choice := sums_right_cost_6;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_7_choice_2 := 64;
+      else
+        sums_right_arrived_7_choice_2 := sums_right_arrived_7_choice;
+      end if;
+      if (sums_right_cost_9 - sums_right_cost_7) < 0 then
+        sums_right_arrived_8_choice := sums_right_cost_9;
+      else
+        sums_right_arrived_8_choice := sums_right_cost_7;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_8_choice_2 := 64;
+      else
+        sums_right_arrived_8_choice_2 := sums_right_arrived_8_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_9_choice := 64;
+      else
+        sums_right_arrived_9_choice := sums_right_pair_4_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_10_choice := 64;
+      else
+        sums_right_arrived_10_choice := sums_right_pair_5_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_11_choice := 64;
+      else
+        sums_right_arrived_11_choice := sums_right_cost_10;
+      end if;
       if entry_tag_valid then
         sums_turn_ready_sums_0 <= to_integer(sums_turn_read_sums_0);
         sums_turn_ready_sums_1 <= to_integer(sums_turn_read_sums_1);
@@ -1900,25 +2709,7 @@ begin
         sums_right_pair_3 <= sums_right_pair_3_choice;
         sums_right_pair_4 <= sums_right_pair_4_choice;
         sums_right_pair_5 <= sums_right_pair_5_choice;
-        sums_right_tree_smallest_0 <= sums_right_pair_1 when (sums_right_pair_1 - sums_right_pair_0) < 0 else
-          sums_right_pair_0;
-        sums_right_tree_smallest_1 <= sums_right_pair_3 when (sums_right_pair_3 - sums_right_pair_2) < 0 else
-          sums_right_pair_2;
-        sums_right_tree_smallest_2 <= sums_right_pair_5 when (sums_right_pair_5 - sums_right_pair_4) < 0 else
-          sums_right_pair_4;
-        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when (sums_right_tree_smallest_1 -
-          sums_right_tree_smallest_0) < 0 else sums_right_tree_smallest_0;
         sums_right_tree_next_smallest_1 <= sums_right_tree_smallest_2;
-        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when (sums_right_tree_next_smallest_1 -
-          sums_right_tree_next_smallest_0) < 0 else sums_right_tree_next_smallest_0;
-        sums_right_start_cost_0 <= 22 when forward_first_0 else sums_right_start_cost_0_choice_2;
-        sums_right_start_cost_1 <= 0 when forward_first_0 else sums_right_start_cost_0;
-        sums_right_start_cost_2 <= 0 when forward_first_0 else sums_right_start_cost_1;
-        sums_right_start_cost_3 <= 0 when forward_first_0 else sums_right_start_cost_2;
-        sums_right_start_cost_4 <= 0 when forward_first_0 else sums_right_start_cost_3;
-        sums_right_start_cost_5 <= 0 when forward_first_0 else sums_right_start_cost_4;
-        sums_right_start_cost_6 <= 0 when forward_first_0 else sums_right_start_cost_5;
-        sums_right_room <= 0 when forward_first_0 else (sums_right_room_choice_2 + sums_right_start_cost_6) mod 32;
         sums_right_smallest <= sums_turn_ready_smallest_0;
         sums_right_smallest_less <= (sums_turn_ready_smallest_0 + 123) mod 128;
         sums_right_first_0 <= sums_turn_ready_first;
@@ -1974,8 +2765,6 @@ begin
         sums_right_arrived_9 <= (sums_right_arrived_9_choice + sums_right_step_change_9) mod 128;
         sums_right_arrived_10 <= (sums_right_arrived_10_choice + sums_right_step_change_10) mod 128;
         sums_right_arrived_11 <= (sums_right_arrived_11_choice + sums_right_step_change_11) mod 128;
-        sums_sum_delay_ring_read_address <= 0 when sums_sum_delay_ring_read_address = 3 else
-          (sums_sum_delay_ring_read_address + 1) mod 4;
         sums_sum_delay_ring_write_address <= sums_sum_delay_ring_read_address;
         sums_tags_held_0_output_column <= entry_turned_output_column;
         sums_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
@@ -1992,8 +2781,61 @@ begin
         sums_tags_held_4_output_column <= sums_tags_held_3_output_column;
         sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
         sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
+        if (sums_right_pair_1 - sums_right_pair_0) < 0 then
+          sums_right_tree_smallest_0 <= sums_right_pair_1;
+        else
+          sums_right_tree_smallest_0 <= sums_right_pair_0;
+        end if;
+        if (sums_right_pair_3 - sums_right_pair_2) < 0 then
+          sums_right_tree_smallest_1 <= sums_right_pair_3;
+        else
+          sums_right_tree_smallest_1 <= sums_right_pair_2;
+        end if;
+        if (sums_right_pair_5 - sums_right_pair_4) < 0 then
+          sums_right_tree_smallest_2 <= sums_right_pair_5;
+        else
+          sums_right_tree_smallest_2 <= sums_right_pair_4;
+        end if;
+        if (sums_right_tree_smallest_1 - sums_right_tree_smallest_0) < 0 then
+          sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1;
+        else
+          sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_0;
+        end if;
+        if (sums_right_tree_next_smallest_1 - sums_right_tree_next_smallest_0) < 0 then
+          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1;
+        else
+          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_0;
+        end if;
+        if forward_first_0 then
+          sums_right_start_cost_0 <= 22;
+          sums_right_start_cost_1 <= 0;
+          sums_right_start_cost_2 <= 0;
+          sums_right_start_cost_3 <= 0;
+          sums_right_start_cost_4 <= 0;
+          sums_right_start_cost_5 <= 0;
+          sums_right_start_cost_6 <= 0;
+          sums_right_room <= 0;
+        else
+          sums_right_start_cost_0 <= sums_right_start_cost_0_choice_2;
+          sums_right_start_cost_1 <= sums_right_start_cost_0;
+          sums_right_start_cost_2 <= sums_right_start_cost_1;
+          sums_right_start_cost_3 <= sums_right_start_cost_2;
+          sums_right_start_cost_4 <= sums_right_start_cost_3;
+          sums_right_start_cost_5 <= sums_right_start_cost_4;
+          sums_right_start_cost_6 <= sums_right_start_cost_5;
+          sums_right_room <= (sums_right_room_choice_2 + sums_right_start_cost_6) mod 32;
+        end if;
+        if sums_sum_delay_ring_read_address = 3 then
+          sums_sum_delay_ring_read_address <= 0;
+        else
+          sums_sum_delay_ring_read_address <= (sums_sum_delay_ring_read_address + 1) mod 4;
+        end if;
       end if;
-      sums_turn_writes_copy_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
+      if entry_tag_valid then
+        sums_turn_writes_copy_0_choice := forward_above_comes_7;
+      else
+        sums_turn_writes_copy_0_choice := forward_above_comes_8;
+      end if;
       sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
       sums_sum_0_0 <= sums_right_cost_0 + to_integer(sums_sum_delay_held_0(6 downto 0));
       sums_sum_0_1 <= sums_right_cost_1 + to_integer(sums_sum_delay_held_0(13 downto 7));
@@ -2029,353 +2871,586 @@ begin
         sums_turn_write_place <= sums_turn_place_8;
       end if;
       -- winnerswinner1
-      winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1))
-        when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice when ((sums_sum_0_0 / 2) mod 2) = 1 else
-        ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+      if (sums_sum_0_0 mod 2) = 1 then
+        winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_0_choice := not (((sums_sum_0_1 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_0 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice;
+      else
+        winnerswinner1_of_pair_0_0_choice_2 := ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_0_value when winnerswinner1_of_pair_0_0_choice_2 else (not (((sums_sum_0_0 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_0_value;
+      if winnerswinner1_of_pair_0_0_choice_2 then
+        winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value;
+      else
+        winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value;
+      end if;
       winnerswinner1_of_pair_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_0_value_2 when winnerswinner1_of_pair_0_0_choice_3 else (not (((sums_sum_0_0 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_0_value_2;
+      if winnerswinner1_of_pair_0_0_choice_3 then
+        winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_2;
+      else
+        winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_2;
+      end if;
       winnerswinner1_of_pair_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_0_value_3 when winnerswinner1_of_pair_0_0_choice_4 else (not (((sums_sum_0_0 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_0_value_3;
+      if winnerswinner1_of_pair_0_0_choice_4 then
+        winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_3;
+      else
+        winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_3;
+      end if;
       winnerswinner1_of_pair_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_0_value_4 when winnerswinner1_of_pair_0_0_choice_5 else (not (((sums_sum_0_0 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_0_value_4;
+      if winnerswinner1_of_pair_0_0_choice_5 then
+        winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_4;
+      else
+        winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_4;
+      end if;
       winnerswinner1_of_pair_0_0_value_5 := ((sums_sum_0_1 / 64) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_7 := (not (((sums_sum_0_0 / 64) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_0_value_5 when winnerswinner1_of_pair_0_0_choice_6 else (not (((sums_sum_0_0 / 64) mod
-        2) = 1)) and winnerswinner1_of_pair_0_0_value_5;
-      winnerswinner1_of_pair_0_0_choice_8 := ((sums_sum_0_0 / 128) = 1) and (not ((sums_sum_0_1 / 128) = 1)) when
-        winnerswinner1_of_pair_0_0_choice_7 else ((sums_sum_0_0 / 128) = 1) or (not ((sums_sum_0_1 / 128) = 1));
-      winnerswinner1_of_pair_0_2_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1))
-        when (sums_sum_0_2 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_2_choice_2 := winnerswinner1_of_pair_0_2_choice when ((sums_sum_0_2 / 2) mod 2) = 1 else
-        ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+      if winnerswinner1_of_pair_0_0_choice_6 then
+        winnerswinner1_of_pair_0_0_choice_7 := (not (((sums_sum_0_0 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_5;
+      else
+        winnerswinner1_of_pair_0_0_choice_7 := (not (((sums_sum_0_0 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_0_choice_7 then
+        winnerswinner1_of_pair_0_0_choice_8 := ((sums_sum_0_0 / 128) = 1) and (not ((sums_sum_0_1 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_0_choice_8 := ((sums_sum_0_0 / 128) = 1) or (not ((sums_sum_0_1 / 128) = 1));
+      end if;
+      if (sums_sum_0_2 mod 2) = 1 then
+        winnerswinner1_of_pair_0_2_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_2_choice := not (((sums_sum_0_3 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_2 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_2_choice_2 := winnerswinner1_of_pair_0_2_choice;
+      else
+        winnerswinner1_of_pair_0_2_choice_2 := ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_2_value := ((sums_sum_0_3 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_2_value when winnerswinner1_of_pair_0_2_choice_2 else (not (((sums_sum_0_2 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_2_value;
+      if winnerswinner1_of_pair_0_2_choice_2 then
+        winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value;
+      else
+        winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value;
+      end if;
       winnerswinner1_of_pair_0_2_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_2_value_2 when winnerswinner1_of_pair_0_2_choice_3 else (not (((sums_sum_0_2 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_2_value_2;
+      if winnerswinner1_of_pair_0_2_choice_3 then
+        winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_2;
+      else
+        winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_2;
+      end if;
       winnerswinner1_of_pair_0_2_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_2_value_3 when winnerswinner1_of_pair_0_2_choice_4 else (not (((sums_sum_0_2 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_2_value_3;
+      if winnerswinner1_of_pair_0_2_choice_4 then
+        winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_3;
+      else
+        winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_3;
+      end if;
       winnerswinner1_of_pair_0_2_value_4 := ((sums_sum_0_3 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_2_value_4 when winnerswinner1_of_pair_0_2_choice_5 else (not (((sums_sum_0_2 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_2_value_4;
+      if winnerswinner1_of_pair_0_2_choice_5 then
+        winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_4;
+      else
+        winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_4;
+      end if;
       winnerswinner1_of_pair_0_2_value_5 := ((sums_sum_0_3 / 64) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_7 := (not (((sums_sum_0_2 / 64) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_2_value_5 when winnerswinner1_of_pair_0_2_choice_6 else (not (((sums_sum_0_2 / 64) mod
-        2) = 1)) and winnerswinner1_of_pair_0_2_value_5;
-      winnerswinner1_of_pair_0_2_choice_8 := ((sums_sum_0_2 / 128) = 1) and (not ((sums_sum_0_3 / 128) = 1)) when
-        winnerswinner1_of_pair_0_2_choice_7 else ((sums_sum_0_2 / 128) = 1) or (not ((sums_sum_0_3 / 128) = 1));
-      winnerswinner1_of_pair_0_4_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1))
-        when (sums_sum_0_4 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_4_choice_2 := winnerswinner1_of_pair_0_4_choice when ((sums_sum_0_4 / 2) mod 2) = 1 else
-        ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
+      if winnerswinner1_of_pair_0_2_choice_6 then
+        winnerswinner1_of_pair_0_2_choice_7 := (not (((sums_sum_0_2 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_5;
+      else
+        winnerswinner1_of_pair_0_2_choice_7 := (not (((sums_sum_0_2 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_2_choice_7 then
+        winnerswinner1_of_pair_0_2_choice_8 := ((sums_sum_0_2 / 128) = 1) and (not ((sums_sum_0_3 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_2_choice_8 := ((sums_sum_0_2 / 128) = 1) or (not ((sums_sum_0_3 / 128) = 1));
+      end if;
+      if (sums_sum_0_4 mod 2) = 1 then
+        winnerswinner1_of_pair_0_4_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_4_choice := not (((sums_sum_0_5 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_4 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_4_choice_2 := winnerswinner1_of_pair_0_4_choice;
+      else
+        winnerswinner1_of_pair_0_4_choice_2 := ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_4_value := ((sums_sum_0_5 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_4_value when winnerswinner1_of_pair_0_4_choice_2 else (not (((sums_sum_0_4 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_4_value;
+      if winnerswinner1_of_pair_0_4_choice_2 then
+        winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value;
+      else
+        winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value;
+      end if;
       winnerswinner1_of_pair_0_4_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_4_value_2 when winnerswinner1_of_pair_0_4_choice_3 else (not (((sums_sum_0_4 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_4_value_2;
+      if winnerswinner1_of_pair_0_4_choice_3 then
+        winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_2;
+      else
+        winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_2;
+      end if;
       winnerswinner1_of_pair_0_4_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_4_value_3 when winnerswinner1_of_pair_0_4_choice_4 else (not (((sums_sum_0_4 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_4_value_3;
+      if winnerswinner1_of_pair_0_4_choice_4 then
+        winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_3;
+      else
+        winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_3;
+      end if;
       winnerswinner1_of_pair_0_4_value_4 := ((sums_sum_0_5 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_4_value_4 when winnerswinner1_of_pair_0_4_choice_5 else (not (((sums_sum_0_4 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_4_value_4;
+      if winnerswinner1_of_pair_0_4_choice_5 then
+        winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_4;
+      else
+        winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_4;
+      end if;
       winnerswinner1_of_pair_0_4_value_5 := ((sums_sum_0_5 / 64) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_7 := (not (((sums_sum_0_4 / 64) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_4_value_5 when winnerswinner1_of_pair_0_4_choice_6 else (not (((sums_sum_0_4 / 64) mod
-        2) = 1)) and winnerswinner1_of_pair_0_4_value_5;
-      winnerswinner1_of_pair_0_4_choice_8 := ((sums_sum_0_4 / 128) = 1) and (not ((sums_sum_0_5 / 128) = 1)) when
-        winnerswinner1_of_pair_0_4_choice_7 else ((sums_sum_0_4 / 128) = 1) or (not ((sums_sum_0_5 / 128) = 1));
-      winnerswinner1_of_pair_0_6_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1))
-        when (sums_sum_0_6 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_6_choice_2 := winnerswinner1_of_pair_0_6_choice when ((sums_sum_0_6 / 2) mod 2) = 1 else
-        ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
+      if winnerswinner1_of_pair_0_4_choice_6 then
+        winnerswinner1_of_pair_0_4_choice_7 := (not (((sums_sum_0_4 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_5;
+      else
+        winnerswinner1_of_pair_0_4_choice_7 := (not (((sums_sum_0_4 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_4_choice_7 then
+        winnerswinner1_of_pair_0_4_choice_8 := ((sums_sum_0_4 / 128) = 1) and (not ((sums_sum_0_5 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_4_choice_8 := ((sums_sum_0_4 / 128) = 1) or (not ((sums_sum_0_5 / 128) = 1));
+      end if;
+      if (sums_sum_0_6 mod 2) = 1 then
+        winnerswinner1_of_pair_0_6_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_6_choice := not (((sums_sum_0_7 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_6 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_6_choice_2 := winnerswinner1_of_pair_0_6_choice;
+      else
+        winnerswinner1_of_pair_0_6_choice_2 := ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_6_value := ((sums_sum_0_7 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_6_value when winnerswinner1_of_pair_0_6_choice_2 else (not (((sums_sum_0_6 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_6_value;
+      if winnerswinner1_of_pair_0_6_choice_2 then
+        winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value;
+      else
+        winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value;
+      end if;
       winnerswinner1_of_pair_0_6_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_6_value_2 when winnerswinner1_of_pair_0_6_choice_3 else (not (((sums_sum_0_6 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_6_value_2;
+      if winnerswinner1_of_pair_0_6_choice_3 then
+        winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_2;
+      else
+        winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_2;
+      end if;
       winnerswinner1_of_pair_0_6_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_6_value_3 when winnerswinner1_of_pair_0_6_choice_4 else (not (((sums_sum_0_6 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_6_value_3;
+      if winnerswinner1_of_pair_0_6_choice_4 then
+        winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_3;
+      else
+        winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_3;
+      end if;
       winnerswinner1_of_pair_0_6_value_4 := ((sums_sum_0_7 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_6_value_4 when winnerswinner1_of_pair_0_6_choice_5 else (not (((sums_sum_0_6 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_6_value_4;
+      if winnerswinner1_of_pair_0_6_choice_5 then
+        winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_4;
+      else
+        winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_4;
+      end if;
       winnerswinner1_of_pair_0_6_value_5 := ((sums_sum_0_7 / 64) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_7 := (not (((sums_sum_0_6 / 64) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_6_value_5 when winnerswinner1_of_pair_0_6_choice_6 else (not (((sums_sum_0_6 / 64) mod
-        2) = 1)) and winnerswinner1_of_pair_0_6_value_5;
-      winnerswinner1_of_pair_0_6_choice_8 := ((sums_sum_0_6 / 128) = 1) and (not ((sums_sum_0_7 / 128) = 1)) when
-        winnerswinner1_of_pair_0_6_choice_7 else ((sums_sum_0_6 / 128) = 1) or (not ((sums_sum_0_7 / 128) = 1));
-      winnerswinner1_of_pair_0_8_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1))
-        when (sums_sum_0_8 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_8_choice_2 := winnerswinner1_of_pair_0_8_choice when ((sums_sum_0_8 / 2) mod 2) = 1 else
-        ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
+      if winnerswinner1_of_pair_0_6_choice_6 then
+        winnerswinner1_of_pair_0_6_choice_7 := (not (((sums_sum_0_6 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_5;
+      else
+        winnerswinner1_of_pair_0_6_choice_7 := (not (((sums_sum_0_6 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_6_choice_7 then
+        winnerswinner1_of_pair_0_6_choice_8 := ((sums_sum_0_6 / 128) = 1) and (not ((sums_sum_0_7 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_6_choice_8 := ((sums_sum_0_6 / 128) = 1) or (not ((sums_sum_0_7 / 128) = 1));
+      end if;
+      if (sums_sum_0_8 mod 2) = 1 then
+        winnerswinner1_of_pair_0_8_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_8_choice := not (((sums_sum_0_9 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_8 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_8_choice_2 := winnerswinner1_of_pair_0_8_choice;
+      else
+        winnerswinner1_of_pair_0_8_choice_2 := ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_8_value := ((sums_sum_0_9 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_8_value when winnerswinner1_of_pair_0_8_choice_2 else (not (((sums_sum_0_8 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_8_value;
+      if winnerswinner1_of_pair_0_8_choice_2 then
+        winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value;
+      else
+        winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value;
+      end if;
       winnerswinner1_of_pair_0_8_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_8_value_2 when winnerswinner1_of_pair_0_8_choice_3 else (not (((sums_sum_0_8 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_8_value_2;
+      if winnerswinner1_of_pair_0_8_choice_3 then
+        winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value_2;
+      else
+        winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value_2;
+      end if;
       winnerswinner1_of_pair_0_8_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_8_value_3 when winnerswinner1_of_pair_0_8_choice_4 else (not (((sums_sum_0_8 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_8_value_3;
+      if winnerswinner1_of_pair_0_8_choice_4 then
+        winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value_3;
+      else
+        winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value_3;
+      end if;
       winnerswinner1_of_pair_0_8_value_4 := ((sums_sum_0_9 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_8_value_4 when winnerswinner1_of_pair_0_8_choice_5 else (not (((sums_sum_0_8 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_8_value_4;
+      if winnerswinner1_of_pair_0_8_choice_5 then
+        winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value_4;
+      else
+        winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value_4;
+      end if;
       winnerswinner1_of_pair_0_8_value_5 := ((sums_sum_0_9 / 64) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_7 := (not (((sums_sum_0_8 / 64) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_8_value_5 when winnerswinner1_of_pair_0_8_choice_6 else (not (((sums_sum_0_8 / 64) mod
-        2) = 1)) and winnerswinner1_of_pair_0_8_value_5;
-      winnerswinner1_of_pair_0_8_choice_8 := ((sums_sum_0_8 / 128) = 1) and (not ((sums_sum_0_9 / 128) = 1)) when
-        winnerswinner1_of_pair_0_8_choice_7 else ((sums_sum_0_8 / 128) = 1) or (not ((sums_sum_0_9 / 128) = 1));
-      winnerswinner1_of_pair_0_10_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
-        1)) when (sums_sum_0_10 mod 2) = 1 else not (((sums_sum_0_11 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_10_choice_2 := winnerswinner1_of_pair_0_10_choice when ((sums_sum_0_10 / 2) mod 2) = 1
-        else ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
+      if winnerswinner1_of_pair_0_8_choice_6 then
+        winnerswinner1_of_pair_0_8_choice_7 := (not (((sums_sum_0_8 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value_5;
+      else
+        winnerswinner1_of_pair_0_8_choice_7 := (not (((sums_sum_0_8 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_8_choice_7 then
+        winnerswinner1_of_pair_0_8_choice_8 := ((sums_sum_0_8 / 128) = 1) and (not ((sums_sum_0_9 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_8_choice_8 := ((sums_sum_0_8 / 128) = 1) or (not ((sums_sum_0_9 / 128) = 1));
+      end if;
+      if (sums_sum_0_10 mod 2) = 1 then
+        winnerswinner1_of_pair_0_10_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
+          1));
+      else
+        winnerswinner1_of_pair_0_10_choice := not (((sums_sum_0_11 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_10 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_10_choice_2 := winnerswinner1_of_pair_0_10_choice;
+      else
+        winnerswinner1_of_pair_0_10_choice_2 := ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_10_value := ((sums_sum_0_11 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_10_value when winnerswinner1_of_pair_0_10_choice_2 else (not (((sums_sum_0_10 / 4) mod
-        2) = 1)) or winnerswinner1_of_pair_0_10_value;
+      if winnerswinner1_of_pair_0_10_choice_2 then
+        winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value;
+      else
+        winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value;
+      end if;
       winnerswinner1_of_pair_0_10_value_2 := ((sums_sum_0_11 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_10_value_2 when winnerswinner1_of_pair_0_10_choice_3 else (not (((sums_sum_0_10 / 8)
-        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_2;
+      if winnerswinner1_of_pair_0_10_choice_3 then
+        winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value_2;
+      else
+        winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value_2;
+      end if;
       winnerswinner1_of_pair_0_10_value_3 := ((sums_sum_0_11 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_10_value_3 when winnerswinner1_of_pair_0_10_choice_4 else (not (((sums_sum_0_10 / 16)
-        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_3;
+      if winnerswinner1_of_pair_0_10_choice_4 then
+        winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value_3;
+      else
+        winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value_3;
+      end if;
       winnerswinner1_of_pair_0_10_value_4 := ((sums_sum_0_11 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_10_value_4 when winnerswinner1_of_pair_0_10_choice_5 else (not (((sums_sum_0_10 / 32)
-        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_4;
+      if winnerswinner1_of_pair_0_10_choice_5 then
+        winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value_4;
+      else
+        winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value_4;
+      end if;
       winnerswinner1_of_pair_0_10_value_5 := ((sums_sum_0_11 / 64) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_7 := (not (((sums_sum_0_10 / 64) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_10_value_5 when winnerswinner1_of_pair_0_10_choice_6 else (not (((sums_sum_0_10 / 64)
-        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_5;
-      winnerswinner1_of_pair_0_10_choice_8 := ((sums_sum_0_10 / 128) = 1) and (not ((sums_sum_0_11 / 128) = 1)) when
-        winnerswinner1_of_pair_0_10_choice_7 else ((sums_sum_0_10 / 128) = 1) or (not ((sums_sum_0_11 / 128) = 1));
-      winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_2 mod 2) = 1)) when (winnerswinner1_of_pair_0_1 mod 2) = 1 else
-        ((winnerswinner1_of_pair_0_0 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      if winnerswinner1_of_pair_0_10_choice_6 then
+        winnerswinner1_of_pair_0_10_choice_7 := (not (((sums_sum_0_10 / 64) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value_5;
+      else
+        winnerswinner1_of_pair_0_10_choice_7 := (not (((sums_sum_0_10 / 64) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value_5;
+      end if;
+      if winnerswinner1_of_pair_0_10_choice_7 then
+        winnerswinner1_of_pair_0_10_choice_8 := ((sums_sum_0_10 / 128) = 1) and (not ((sums_sum_0_11 / 128) = 1));
+      else
+        winnerswinner1_of_pair_0_10_choice_8 := ((sums_sum_0_10 / 128) = 1) or (not ((sums_sum_0_11 / 128) = 1));
+      end if;
+      if (winnerswinner1_of_pair_0_1 mod 2) = 1 then
+        winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
+          ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      else
+        winnerswinner1_of_four_0_0_choice := ((winnerswinner1_of_pair_0_0 mod 2) = 1) and (not
+          ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      end if;
       winnerswinner1_of_four_0_0_value := ((winnerswinner1_of_pair_0_1 / 2) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_2 := ((winnerswinner1_of_pair_0_0 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value or
-        winnerswinner1_of_four_0_0_value_2 when (not (((winnerswinner1_of_pair_0_3 / 2) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_2 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_0_choice and
-        (winnerswinner1_of_four_0_0_value or winnerswinner1_of_four_0_0_value_2);
+      if (not (((winnerswinner1_of_pair_0_3 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_2 / 2) mod 2) = 1))
+        then
+        winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value or
+          winnerswinner1_of_four_0_0_value_2;
+      else
+        winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice and (winnerswinner1_of_four_0_0_value
+          or winnerswinner1_of_four_0_0_value_2);
+      end if;
       winnerswinner1_of_four_0_0_value_3 := ((winnerswinner1_of_pair_0_3 / 4) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_4 := ((winnerswinner1_of_pair_0_2 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_3 := (not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_3 or
-        winnerswinner1_of_four_0_0_value_4) when winnerswinner1_of_four_0_0_choice_2 else ((not
-        (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1))) or
-        winnerswinner1_of_four_0_0_value_3 or winnerswinner1_of_four_0_0_value_4;
+      if winnerswinner1_of_four_0_0_choice_2 then
+        winnerswinner1_of_four_0_0_choice_3 := (not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_3 or
+          winnerswinner1_of_four_0_0_value_4);
+      else
+        winnerswinner1_of_four_0_0_choice_3 := ((not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_3 or
+          winnerswinner1_of_four_0_0_value_4;
+      end if;
       winnerswinner1_of_four_0_0_value_5 := ((winnerswinner1_of_pair_0_3 / 8) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_6 := ((winnerswinner1_of_pair_0_2 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_4 := ((not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_5 or
-        winnerswinner1_of_four_0_0_value_6 when winnerswinner1_of_four_0_0_choice_3 else (not
-        (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_0_value_5 or winnerswinner1_of_four_0_0_value_6);
+      if winnerswinner1_of_four_0_0_choice_3 then
+        winnerswinner1_of_four_0_0_choice_4 := ((not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_5 or
+          winnerswinner1_of_four_0_0_value_6;
+      else
+        winnerswinner1_of_four_0_0_choice_4 := (not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_5 or
+          winnerswinner1_of_four_0_0_value_6);
+      end if;
       winnerswinner1_of_four_0_0_value_7 := ((winnerswinner1_of_pair_0_3 / 16) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_8 := ((winnerswinner1_of_pair_0_2 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_5 := ((not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_7 or
-        winnerswinner1_of_four_0_0_value_8 when winnerswinner1_of_four_0_0_choice_4 else (not
-        (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_0_value_7 or winnerswinner1_of_four_0_0_value_8);
+      if winnerswinner1_of_four_0_0_choice_4 then
+        winnerswinner1_of_four_0_0_choice_5 := ((not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_7 or
+          winnerswinner1_of_four_0_0_value_8;
+      else
+        winnerswinner1_of_four_0_0_choice_5 := (not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_7 or
+          winnerswinner1_of_four_0_0_value_8);
+      end if;
       winnerswinner1_of_four_0_0_value_9 := ((winnerswinner1_of_pair_0_3 / 32) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_10 := ((winnerswinner1_of_pair_0_2 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_6 := ((not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_9 or
-        winnerswinner1_of_four_0_0_value_10 when winnerswinner1_of_four_0_0_choice_5 else (not
-        (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_0_value_9 or winnerswinner1_of_four_0_0_value_10);
+      if winnerswinner1_of_four_0_0_choice_5 then
+        winnerswinner1_of_four_0_0_choice_6 := ((not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_9 or
+          winnerswinner1_of_four_0_0_value_10;
+      else
+        winnerswinner1_of_four_0_0_choice_6 := (not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_9 or
+          winnerswinner1_of_four_0_0_value_10);
+      end if;
       winnerswinner1_of_four_0_0_value_11 := ((winnerswinner1_of_pair_0_3 / 64) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_12 := ((winnerswinner1_of_pair_0_2 / 64) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_7 := ((not (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_11 or
-        winnerswinner1_of_four_0_0_value_12 when winnerswinner1_of_four_0_0_choice_6 else (not
-        (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_0_value_11 or winnerswinner1_of_four_0_0_value_12);
-      winnerswinner1_of_four_0_0_choice_8 := (not ((not ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not
-        ((winnerswinner1_of_pair_0_0 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not
-        ((winnerswinner1_of_pair_0_2 / 128) = 1)) when winnerswinner1_of_four_0_0_choice_7 else (not ((not
-        ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_0 / 128) = 1)))) or ((not
-        ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_2 / 128) = 1)));
-      winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_6 mod 2) = 1)) when (winnerswinner1_of_pair_0_5 mod 2) = 1 else
-        ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      if winnerswinner1_of_four_0_0_choice_6 then
+        winnerswinner1_of_four_0_0_choice_7 := ((not (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_11 or
+          winnerswinner1_of_four_0_0_value_12;
+      else
+        winnerswinner1_of_four_0_0_choice_7 := (not (((winnerswinner1_of_pair_0_1 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 64) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_11 or
+          winnerswinner1_of_four_0_0_value_12);
+      end if;
+      if winnerswinner1_of_four_0_0_choice_7 then
+        winnerswinner1_of_four_0_0_choice_8 := (not ((not ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_0 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_2 / 128) = 1));
+      else
+        winnerswinner1_of_four_0_0_choice_8 := (not ((not ((winnerswinner1_of_pair_0_1 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_0 / 128) = 1)))) or ((not ((winnerswinner1_of_pair_0_3 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_2 / 128) = 1)));
+      end if;
+      if (winnerswinner1_of_pair_0_5 mod 2) = 1 then
+        winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
+          ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      else
+        winnerswinner1_of_four_0_4_choice := ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not
+          ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      end if;
       winnerswinner1_of_four_0_4_value := ((winnerswinner1_of_pair_0_5 / 2) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_2 := ((winnerswinner1_of_pair_0_4 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value or
-        winnerswinner1_of_four_0_4_value_2 when (not (((winnerswinner1_of_pair_0_7 / 2) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_6 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_4_choice and
-        (winnerswinner1_of_four_0_4_value or winnerswinner1_of_four_0_4_value_2);
+      if (not (((winnerswinner1_of_pair_0_7 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_6 / 2) mod 2) = 1))
+        then
+        winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value or
+          winnerswinner1_of_four_0_4_value_2;
+      else
+        winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice and (winnerswinner1_of_four_0_4_value
+          or winnerswinner1_of_four_0_4_value_2);
+      end if;
       winnerswinner1_of_four_0_4_value_3 := ((winnerswinner1_of_pair_0_7 / 4) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_4 := ((winnerswinner1_of_pair_0_6 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_3 := (not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_3 or
-        winnerswinner1_of_four_0_4_value_4) when winnerswinner1_of_four_0_4_choice_2 else ((not
-        (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1))) or
-        winnerswinner1_of_four_0_4_value_3 or winnerswinner1_of_four_0_4_value_4;
+      if winnerswinner1_of_four_0_4_choice_2 then
+        winnerswinner1_of_four_0_4_choice_3 := (not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_3 or
+          winnerswinner1_of_four_0_4_value_4);
+      else
+        winnerswinner1_of_four_0_4_choice_3 := ((not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_3 or
+          winnerswinner1_of_four_0_4_value_4;
+      end if;
       winnerswinner1_of_four_0_4_value_5 := ((winnerswinner1_of_pair_0_7 / 8) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_6 := ((winnerswinner1_of_pair_0_6 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_4 := ((not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_5 or
-        winnerswinner1_of_four_0_4_value_6 when winnerswinner1_of_four_0_4_choice_3 else (not
-        (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_4_value_5 or winnerswinner1_of_four_0_4_value_6);
+      if winnerswinner1_of_four_0_4_choice_3 then
+        winnerswinner1_of_four_0_4_choice_4 := ((not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_5 or
+          winnerswinner1_of_four_0_4_value_6;
+      else
+        winnerswinner1_of_four_0_4_choice_4 := (not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_5 or
+          winnerswinner1_of_four_0_4_value_6);
+      end if;
       winnerswinner1_of_four_0_4_value_7 := ((winnerswinner1_of_pair_0_7 / 16) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_8 := ((winnerswinner1_of_pair_0_6 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_5 := ((not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_7 or
-        winnerswinner1_of_four_0_4_value_8 when winnerswinner1_of_four_0_4_choice_4 else (not
-        (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_4_value_7 or winnerswinner1_of_four_0_4_value_8);
+      if winnerswinner1_of_four_0_4_choice_4 then
+        winnerswinner1_of_four_0_4_choice_5 := ((not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_7 or
+          winnerswinner1_of_four_0_4_value_8;
+      else
+        winnerswinner1_of_four_0_4_choice_5 := (not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_7 or
+          winnerswinner1_of_four_0_4_value_8);
+      end if;
       winnerswinner1_of_four_0_4_value_9 := ((winnerswinner1_of_pair_0_7 / 32) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_10 := ((winnerswinner1_of_pair_0_6 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_6 := ((not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_9 or
-        winnerswinner1_of_four_0_4_value_10 when winnerswinner1_of_four_0_4_choice_5 else (not
-        (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_4_value_9 or winnerswinner1_of_four_0_4_value_10);
+      if winnerswinner1_of_four_0_4_choice_5 then
+        winnerswinner1_of_four_0_4_choice_6 := ((not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_9 or
+          winnerswinner1_of_four_0_4_value_10;
+      else
+        winnerswinner1_of_four_0_4_choice_6 := (not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_9 or
+          winnerswinner1_of_four_0_4_value_10);
+      end if;
       winnerswinner1_of_four_0_4_value_11 := ((winnerswinner1_of_pair_0_7 / 64) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_12 := ((winnerswinner1_of_pair_0_6 / 64) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_7 := ((not (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_11 or
-        winnerswinner1_of_four_0_4_value_12 when winnerswinner1_of_four_0_4_choice_6 else (not
-        (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_4_value_11 or winnerswinner1_of_four_0_4_value_12);
-      winnerswinner1_of_four_0_4_choice_8 := (not ((not ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not
-        ((winnerswinner1_of_pair_0_4 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not
-        ((winnerswinner1_of_pair_0_6 / 128) = 1)) when winnerswinner1_of_four_0_4_choice_7 else (not ((not
-        ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_4 / 128) = 1)))) or ((not
-        ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_6 / 128) = 1)));
-      winnerswinner1_of_four_0_8_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 mod 2) = 1)) when (winnerswinner1_of_pair_0_9 mod 2) = 1 else
-        ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      if winnerswinner1_of_four_0_4_choice_6 then
+        winnerswinner1_of_four_0_4_choice_7 := ((not (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_11 or
+          winnerswinner1_of_four_0_4_value_12;
+      else
+        winnerswinner1_of_four_0_4_choice_7 := (not (((winnerswinner1_of_pair_0_5 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 64) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_11 or
+          winnerswinner1_of_four_0_4_value_12);
+      end if;
+      if winnerswinner1_of_four_0_4_choice_7 then
+        winnerswinner1_of_four_0_4_choice_8 := (not ((not ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_4 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_6 / 128) = 1));
+      else
+        winnerswinner1_of_four_0_4_choice_8 := (not ((not ((winnerswinner1_of_pair_0_5 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_4 / 128) = 1)))) or ((not ((winnerswinner1_of_pair_0_7 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_6 / 128) = 1)));
+      end if;
+      if (winnerswinner1_of_pair_0_9 mod 2) = 1 then
+        winnerswinner1_of_four_0_8_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
+          ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      else
+        winnerswinner1_of_four_0_8_choice := ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not
+          ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      end if;
       winnerswinner1_of_four_0_8_value := ((winnerswinner1_of_pair_0_9 / 2) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_2 := ((winnerswinner1_of_pair_0_8 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value or
-        winnerswinner1_of_four_0_8_value_2 when (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_10 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_8_choice and
-        (winnerswinner1_of_four_0_8_value or winnerswinner1_of_four_0_8_value_2);
+      if (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_10 / 2) mod 2) =
+        1)) then
+        winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value or
+          winnerswinner1_of_four_0_8_value_2;
+      else
+        winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice and (winnerswinner1_of_four_0_8_value
+          or winnerswinner1_of_four_0_8_value_2);
+      end if;
       winnerswinner1_of_four_0_8_value_3 := ((winnerswinner1_of_pair_0_11 / 4) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_4 := ((winnerswinner1_of_pair_0_10 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_3 or
-        winnerswinner1_of_four_0_8_value_4) when winnerswinner1_of_four_0_8_choice_2 else ((not
-        (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or
-        winnerswinner1_of_four_0_8_value_3 or winnerswinner1_of_four_0_8_value_4;
+      if winnerswinner1_of_four_0_8_choice_2 then
+        winnerswinner1_of_four_0_8_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_3 or
+          winnerswinner1_of_four_0_8_value_4);
+      else
+        winnerswinner1_of_four_0_8_choice_3 := ((not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_3 or
+          winnerswinner1_of_four_0_8_value_4;
+      end if;
       winnerswinner1_of_four_0_8_value_5 := ((winnerswinner1_of_pair_0_11 / 8) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_6 := ((winnerswinner1_of_pair_0_10 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_5 or
-        winnerswinner1_of_four_0_8_value_6 when winnerswinner1_of_four_0_8_choice_3 else (not
-        (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_5 or winnerswinner1_of_four_0_8_value_6);
+      if winnerswinner1_of_four_0_8_choice_3 then
+        winnerswinner1_of_four_0_8_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_5 or
+          winnerswinner1_of_four_0_8_value_6;
+      else
+        winnerswinner1_of_four_0_8_choice_4 := (not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_5 or
+          winnerswinner1_of_four_0_8_value_6);
+      end if;
       winnerswinner1_of_four_0_8_value_7 := ((winnerswinner1_of_pair_0_11 / 16) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_8 := ((winnerswinner1_of_pair_0_10 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_7 or
-        winnerswinner1_of_four_0_8_value_8 when winnerswinner1_of_four_0_8_choice_4 else (not
-        (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_7 or winnerswinner1_of_four_0_8_value_8);
+      if winnerswinner1_of_four_0_8_choice_4 then
+        winnerswinner1_of_four_0_8_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_7 or
+          winnerswinner1_of_four_0_8_value_8;
+      else
+        winnerswinner1_of_four_0_8_choice_5 := (not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_7 or
+          winnerswinner1_of_four_0_8_value_8);
+      end if;
       winnerswinner1_of_four_0_8_value_9 := ((winnerswinner1_of_pair_0_11 / 32) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_10 := ((winnerswinner1_of_pair_0_10 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_6 := ((not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_9 or
-        winnerswinner1_of_four_0_8_value_10 when winnerswinner1_of_four_0_8_choice_5 else (not
-        (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_9 or winnerswinner1_of_four_0_8_value_10);
+      if winnerswinner1_of_four_0_8_choice_5 then
+        winnerswinner1_of_four_0_8_choice_6 := ((not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_9 or
+          winnerswinner1_of_four_0_8_value_10;
+      else
+        winnerswinner1_of_four_0_8_choice_6 := (not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_9 or
+          winnerswinner1_of_four_0_8_value_10);
+      end if;
       winnerswinner1_of_four_0_8_value_11 := ((winnerswinner1_of_pair_0_11 / 64) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_12 := ((winnerswinner1_of_pair_0_10 / 64) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_7 := ((not (((winnerswinner1_of_pair_0_9 / 64) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_11 or
-        winnerswinner1_of_four_0_8_value_12 when winnerswinner1_of_four_0_8_choice_6 else (not
-        (((winnerswinner1_of_pair_0_9 / 64) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 64) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_11 or winnerswinner1_of_four_0_8_value_12);
-      winnerswinner1_of_four_0_8_choice_8 := (not ((not ((winnerswinner1_of_pair_0_9 / 128) = 1)) and (not
-        ((winnerswinner1_of_pair_0_8 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 128) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 / 128) = 1)) when winnerswinner1_of_four_0_8_choice_7 else (not ((not
-        ((winnerswinner1_of_pair_0_9 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_8 / 128) = 1)))) or ((not
-        ((winnerswinner1_of_pair_0_11 / 128) = 1)) and (not ((winnerswinner1_of_pair_0_10 / 128) = 1)));
-      winnerswinner1_of_pair_0_0 <= 0 when winnerswinner1_of_pair_0_0_choice_8 else sums_sum_0_0;
-      winnerswinner1_of_pair_0_1 <= sums_sum_0_1 when winnerswinner1_of_pair_0_0_choice_8 else 0;
-      winnerswinner1_of_pair_0_2 <= 0 when winnerswinner1_of_pair_0_2_choice_8 else sums_sum_0_2;
-      winnerswinner1_of_pair_0_3 <= sums_sum_0_3 when winnerswinner1_of_pair_0_2_choice_8 else 0;
-      winnerswinner1_of_pair_0_4 <= 0 when winnerswinner1_of_pair_0_4_choice_8 else sums_sum_0_4;
-      winnerswinner1_of_pair_0_5 <= sums_sum_0_5 when winnerswinner1_of_pair_0_4_choice_8 else 0;
-      winnerswinner1_of_pair_0_6 <= 0 when winnerswinner1_of_pair_0_6_choice_8 else sums_sum_0_6;
-      winnerswinner1_of_pair_0_7 <= sums_sum_0_7 when winnerswinner1_of_pair_0_6_choice_8 else 0;
-      winnerswinner1_of_pair_0_8 <= 0 when winnerswinner1_of_pair_0_8_choice_8 else sums_sum_0_8;
-      winnerswinner1_of_pair_0_9 <= sums_sum_0_9 when winnerswinner1_of_pair_0_8_choice_8 else 0;
-      winnerswinner1_of_pair_0_10 <= 0 when winnerswinner1_of_pair_0_10_choice_8 else sums_sum_0_10;
-      winnerswinner1_of_pair_0_11 <= sums_sum_0_11 when winnerswinner1_of_pair_0_10_choice_8 else 0;
+      if winnerswinner1_of_four_0_8_choice_6 then
+        winnerswinner1_of_four_0_8_choice_7 := ((not (((winnerswinner1_of_pair_0_9 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 64) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_11 or
+          winnerswinner1_of_four_0_8_value_12;
+      else
+        winnerswinner1_of_four_0_8_choice_7 := (not (((winnerswinner1_of_pair_0_9 / 64) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 64) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_11 or
+          winnerswinner1_of_four_0_8_value_12);
+      end if;
+      if winnerswinner1_of_four_0_8_choice_7 then
+        winnerswinner1_of_four_0_8_choice_8 := (not ((not ((winnerswinner1_of_pair_0_9 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_8 / 128) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_10 / 128) = 1));
+      else
+        winnerswinner1_of_four_0_8_choice_8 := (not ((not ((winnerswinner1_of_pair_0_9 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_8 / 128) = 1)))) or ((not ((winnerswinner1_of_pair_0_11 / 128) = 1)) and (not
+          ((winnerswinner1_of_pair_0_10 / 128) = 1)));
+      end if;
       winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_0_choice_8;
-      winnerswinner1_pair_index_0_1 <= 3 when winnerswinner1_of_pair_0_2_choice_8 else 2;
-      winnerswinner1_pair_index_0_2 <= 5 when winnerswinner1_of_pair_0_4_choice_8 else 4;
-      winnerswinner1_pair_index_0_3 <= 7 when winnerswinner1_of_pair_0_6_choice_8 else 6;
-      winnerswinner1_pair_index_0_4 <= 9 when winnerswinner1_of_pair_0_8_choice_8 else 8;
-      winnerswinner1_pair_index_0_5 <= 11 when winnerswinner1_of_pair_0_10_choice_8 else 10;
       winnerswinner1_pair_tag_valid <= sums_tag_valid;
       winnerswinner1_pair_tag_map_column <= sums_tag_map_column;
       winnerswinner1_pair_tag_output_column <= sums_tag_output_column;
       winnerswinner1_pair_tag_start_of_frame <= sums_tag_start_of_frame;
       winnerswinner1_pair_tag_end_of_line <= sums_tag_end_of_line;
-      winnerswinner1_of_four_0_0 <= 0 when winnerswinner1_of_four_0_0_choice_8 else winnerswinner1_of_pair_0_0;
-      winnerswinner1_of_four_0_1 <= 0 when winnerswinner1_of_four_0_0_choice_8 else winnerswinner1_of_pair_0_1;
-      winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2 when winnerswinner1_of_four_0_0_choice_8 else 0;
-      winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3 when winnerswinner1_of_four_0_0_choice_8 else 0;
-      winnerswinner1_of_four_0_4 <= 0 when winnerswinner1_of_four_0_4_choice_8 else winnerswinner1_of_pair_0_4;
-      winnerswinner1_of_four_0_5 <= 0 when winnerswinner1_of_four_0_4_choice_8 else winnerswinner1_of_pair_0_5;
-      winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6 when winnerswinner1_of_four_0_4_choice_8 else 0;
-      winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7 when winnerswinner1_of_four_0_4_choice_8 else 0;
-      winnerswinner1_of_four_0_8 <= 0 when winnerswinner1_of_four_0_8_choice_8 else winnerswinner1_of_pair_0_8;
-      winnerswinner1_of_four_0_9 <= 0 when winnerswinner1_of_four_0_8_choice_8 else winnerswinner1_of_pair_0_9;
-      winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10 when winnerswinner1_of_four_0_8_choice_8 else 0;
-      winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_11 when winnerswinner1_of_four_0_8_choice_8 else 0;
-      winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1 when winnerswinner1_of_four_0_0_choice_8 else
-        as_number(winnerswinner1_pair_index_0_0);
-      winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3 when winnerswinner1_of_four_0_4_choice_8 else
-        winnerswinner1_pair_index_0_2;
-      winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5 when winnerswinner1_of_four_0_8_choice_8 else
-        winnerswinner1_pair_index_0_4;
       winnerswinner1_four_tag_valid <= winnerswinner1_pair_tag_valid;
       winnerswinner1_four_tag_map_column <= winnerswinner1_pair_tag_map_column;
       winnerswinner1_four_tag_output_column <= winnerswinner1_pair_tag_output_column;
@@ -2398,84 +3473,221 @@ begin
       winnerswinner1_tag_output_column <= winnerswinner1_four_tag_output_column;
       winnerswinner1_tag_start_of_frame <= winnerswinner1_four_tag_start_of_frame;
       winnerswinner1_tag_end_of_line <= winnerswinner1_four_tag_end_of_line;
+      if winnerswinner1_of_pair_0_0_choice_8 then
+        winnerswinner1_of_pair_0_0 <= 0;
+        winnerswinner1_of_pair_0_1 <= sums_sum_0_1;
+      else
+        winnerswinner1_of_pair_0_0 <= sums_sum_0_0;
+        winnerswinner1_of_pair_0_1 <= 0;
+      end if;
+      if winnerswinner1_of_pair_0_2_choice_8 then
+        winnerswinner1_of_pair_0_2 <= 0;
+        winnerswinner1_of_pair_0_3 <= sums_sum_0_3;
+        winnerswinner1_pair_index_0_1 <= 3;
+      else
+        winnerswinner1_of_pair_0_2 <= sums_sum_0_2;
+        winnerswinner1_of_pair_0_3 <= 0;
+        winnerswinner1_pair_index_0_1 <= 2;
+      end if;
+      if winnerswinner1_of_pair_0_4_choice_8 then
+        winnerswinner1_of_pair_0_4 <= 0;
+        winnerswinner1_of_pair_0_5 <= sums_sum_0_5;
+        winnerswinner1_pair_index_0_2 <= 5;
+      else
+        winnerswinner1_of_pair_0_4 <= sums_sum_0_4;
+        winnerswinner1_of_pair_0_5 <= 0;
+        winnerswinner1_pair_index_0_2 <= 4;
+      end if;
+      if winnerswinner1_of_pair_0_6_choice_8 then
+        winnerswinner1_of_pair_0_6 <= 0;
+        winnerswinner1_of_pair_0_7 <= sums_sum_0_7;
+        winnerswinner1_pair_index_0_3 <= 7;
+      else
+        winnerswinner1_of_pair_0_6 <= sums_sum_0_6;
+        winnerswinner1_of_pair_0_7 <= 0;
+        winnerswinner1_pair_index_0_3 <= 6;
+      end if;
+      if winnerswinner1_of_pair_0_8_choice_8 then
+        winnerswinner1_of_pair_0_8 <= 0;
+        winnerswinner1_of_pair_0_9 <= sums_sum_0_9;
+        winnerswinner1_pair_index_0_4 <= 9;
+      else
+        winnerswinner1_of_pair_0_8 <= sums_sum_0_8;
+        winnerswinner1_of_pair_0_9 <= 0;
+        winnerswinner1_pair_index_0_4 <= 8;
+      end if;
+      if winnerswinner1_of_pair_0_10_choice_8 then
+        winnerswinner1_of_pair_0_10 <= 0;
+        winnerswinner1_of_pair_0_11 <= sums_sum_0_11;
+        winnerswinner1_pair_index_0_5 <= 11;
+      else
+        winnerswinner1_of_pair_0_10 <= sums_sum_0_10;
+        winnerswinner1_of_pair_0_11 <= 0;
+        winnerswinner1_pair_index_0_5 <= 10;
+      end if;
+      if winnerswinner1_of_four_0_0_choice_8 then
+        winnerswinner1_of_four_0_0 <= 0;
+        winnerswinner1_of_four_0_1 <= 0;
+        winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2;
+        winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3;
+        winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1;
+      else
+        winnerswinner1_of_four_0_0 <= winnerswinner1_of_pair_0_0;
+        winnerswinner1_of_four_0_1 <= winnerswinner1_of_pair_0_1;
+        winnerswinner1_of_four_0_2 <= 0;
+        winnerswinner1_of_four_0_3 <= 0;
+        winnerswinner1_four_index_0_0 <= as_number(winnerswinner1_pair_index_0_0);
+      end if;
+      if winnerswinner1_of_four_0_4_choice_8 then
+        winnerswinner1_of_four_0_4 <= 0;
+        winnerswinner1_of_four_0_5 <= 0;
+        winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6;
+        winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7;
+        winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3;
+      else
+        winnerswinner1_of_four_0_4 <= winnerswinner1_of_pair_0_4;
+        winnerswinner1_of_four_0_5 <= winnerswinner1_of_pair_0_5;
+        winnerswinner1_of_four_0_6 <= 0;
+        winnerswinner1_of_four_0_7 <= 0;
+        winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_2;
+      end if;
+      if winnerswinner1_of_four_0_8_choice_8 then
+        winnerswinner1_of_four_0_8 <= 0;
+        winnerswinner1_of_four_0_9 <= 0;
+        winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10;
+        winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_11;
+        winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5;
+      else
+        winnerswinner1_of_four_0_8 <= winnerswinner1_of_pair_0_8;
+        winnerswinner1_of_four_0_9 <= winnerswinner1_of_pair_0_9;
+        winnerswinner1_of_four_0_10 <= 0;
+        winnerswinner1_of_four_0_11 <= 0;
+        winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_4;
+      end if;
       -- winnerswinner2
-      winnerswinner2_of_pair_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
-        ((winnerswinner1_best_cost_0_1 mod 2) = 1)) when (winnerswinner1_best_cost_0_0 mod 2) = 1 else not
-        (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner2_of_pair_0_0_choice_2 := winnerswinner2_of_pair_0_0_choice when ((winnerswinner1_best_cost_0_0 / 2)
-        mod 2) = 1 else ((winnerswinner1_best_cost_0_0 mod 2) = 1) and ((winnerswinner1_best_cost_0_1 mod 4) = 0);
+      if (winnerswinner1_best_cost_0_0 mod 2) = 1 then
+        winnerswinner2_of_pair_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
+          ((winnerswinner1_best_cost_0_1 mod 2) = 1));
+      else
+        winnerswinner2_of_pair_0_0_choice := not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1);
+      end if;
+      if ((winnerswinner1_best_cost_0_0 / 2) mod 2) = 1 then
+        winnerswinner2_of_pair_0_0_choice_2 := winnerswinner2_of_pair_0_0_choice;
+      else
+        winnerswinner2_of_pair_0_0_choice_2 := ((winnerswinner1_best_cost_0_0 mod 2) = 1) and
+          ((winnerswinner1_best_cost_0_1 mod 4) = 0);
+      end if;
       winnerswinner2_of_pair_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner2_of_pair_0_0_value when winnerswinner2_of_pair_0_0_choice_2 else (not
-        (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner2_of_pair_0_0_value;
+      if winnerswinner2_of_pair_0_0_choice_2 then
+        winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value;
+      else
+        winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value;
+      end if;
       winnerswinner2_of_pair_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner2_of_pair_0_0_value_2 when winnerswinner2_of_pair_0_0_choice_3 else (not
-        (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_2;
+      if winnerswinner2_of_pair_0_0_choice_3 then
+        winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value_2;
+      else
+        winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value_2;
+      end if;
       winnerswinner2_of_pair_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner2_of_pair_0_0_value_3 when winnerswinner2_of_pair_0_0_choice_4 else (not
-        (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_3;
+      if winnerswinner2_of_pair_0_0_choice_4 then
+        winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value_3;
+      else
+        winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value_3;
+      end if;
       winnerswinner2_of_pair_0_0_value_4 := ((winnerswinner1_best_cost_0_1 / 32) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
-        winnerswinner2_of_pair_0_0_value_4 when winnerswinner2_of_pair_0_0_choice_5 else (not
-        (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_4;
+      if winnerswinner2_of_pair_0_0_choice_5 then
+        winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value_4;
+      else
+        winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value_4;
+      end if;
       winnerswinner2_of_pair_0_0_value_5 := ((winnerswinner1_best_cost_0_1 / 64) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) or
-        winnerswinner2_of_pair_0_0_value_5 when winnerswinner2_of_pair_0_0_choice_6 else (not
-        (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_5;
-      winnerswinner2_of_pair_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) and (not
-        ((winnerswinner1_best_cost_0_1 / 128) = 1)) when winnerswinner2_of_pair_0_0_choice_7 else
-        ((winnerswinner1_best_cost_0_0 / 128) = 1) or (not ((winnerswinner1_best_cost_0_1 / 128) = 1));
+      if winnerswinner2_of_pair_0_0_choice_6 then
+        winnerswinner2_of_pair_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value_5;
+      else
+        winnerswinner2_of_pair_0_0_choice_7 := (not (((winnerswinner1_best_cost_0_0 / 64) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value_5;
+      end if;
+      if winnerswinner2_of_pair_0_0_choice_7 then
+        winnerswinner2_of_pair_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) and (not
+          ((winnerswinner1_best_cost_0_1 / 128) = 1));
+      else
+        winnerswinner2_of_pair_0_0_choice_8 := ((winnerswinner1_best_cost_0_0 / 128) = 1) or (not
+          ((winnerswinner1_best_cost_0_1 / 128) = 1));
+      end if;
       winnerswinner2_four_index_0_0_value := ((winnerswinner2_of_pair_0_1 / 2) mod 2) = 1;
       winnerswinner2_four_index_0_0_value_2 := ((winnerswinner2_of_pair_0_0 / 2) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) or
-        winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2 when (not
-        ((winnerswinner2_of_pair_0_2 mod 2) = 1)) and (((winnerswinner2_of_pair_0_1 mod 2) = 1) or
-        ((winnerswinner2_of_pair_0_0 mod 2) = 1)) else (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) and
-        (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2);
+      if (not ((winnerswinner2_of_pair_0_2 mod 2) = 1)) and (((winnerswinner2_of_pair_0_1 mod 2) = 1) or
+        ((winnerswinner2_of_pair_0_0 mod 2) = 1)) then
+        winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2;
+      else
+        winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2);
+      end if;
       winnerswinner2_four_index_0_0_value_3 := ((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_2 := winnerswinner2_four_index_0_0_value_3 and (not
-        (((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1)) when
-        winnerswinner2_four_index_0_0_choice else winnerswinner2_four_index_0_0_value_3 or ((not
-        (((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1)));
+      if winnerswinner2_four_index_0_0_choice then
+        winnerswinner2_four_index_0_0_choice_2 := winnerswinner2_four_index_0_0_value_3 and (not
+          (((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1));
+      else
+        winnerswinner2_four_index_0_0_choice_2 := winnerswinner2_four_index_0_0_value_3 or ((not
+          (((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1)));
+      end if;
       winnerswinner2_four_index_0_0_value_4 := ((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_3 := winnerswinner2_four_index_0_0_value_4 or ((not
-        (((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1))) when
-        winnerswinner2_four_index_0_0_choice_2 else winnerswinner2_four_index_0_0_value_4 and (not
-        (((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1));
+      if winnerswinner2_four_index_0_0_choice_2 then
+        winnerswinner2_four_index_0_0_choice_3 := winnerswinner2_four_index_0_0_value_4 or ((not
+          (((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1)));
+      else
+        winnerswinner2_four_index_0_0_choice_3 := winnerswinner2_four_index_0_0_value_4 and (not
+          (((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1));
+      end if;
       winnerswinner2_four_index_0_0_value_5 := ((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_4 := winnerswinner2_four_index_0_0_value_5 or ((not
-        (((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1)))
-        when winnerswinner2_four_index_0_0_choice_3 else winnerswinner2_four_index_0_0_value_5 and (not
-        (((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1));
+      if winnerswinner2_four_index_0_0_choice_3 then
+        winnerswinner2_four_index_0_0_choice_4 := winnerswinner2_four_index_0_0_value_5 or ((not
+          (((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1)));
+      else
+        winnerswinner2_four_index_0_0_choice_4 := winnerswinner2_four_index_0_0_value_5 and (not
+          (((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1));
+      end if;
       winnerswinner2_four_index_0_0_value_6 := ((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_5 := winnerswinner2_four_index_0_0_value_6 or ((not
-        (((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1)))
-        when winnerswinner2_four_index_0_0_choice_4 else winnerswinner2_four_index_0_0_value_6 and (not
-        (((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1));
+      if winnerswinner2_four_index_0_0_choice_4 then
+        winnerswinner2_four_index_0_0_choice_5 := winnerswinner2_four_index_0_0_value_6 or ((not
+          (((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1)));
+      else
+        winnerswinner2_four_index_0_0_choice_5 := winnerswinner2_four_index_0_0_value_6 and (not
+          (((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1));
+      end if;
       winnerswinner2_four_index_0_0_value_7 := ((winnerswinner2_of_pair_0_2 / 64) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_6 := winnerswinner2_four_index_0_0_value_7 or ((not
-        (((winnerswinner2_of_pair_0_1 / 64) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 64) mod 2) = 1)))
-        when winnerswinner2_four_index_0_0_choice_5 else winnerswinner2_four_index_0_0_value_7 and (not
-        (((winnerswinner2_of_pair_0_1 / 64) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 64) mod 2) = 1));
-      winnerswinner2_four_index_0_0_choice_7 := (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) and
-        (((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1)) when
-        winnerswinner2_four_index_0_0_choice_6 else (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) or
-        ((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1);
-      winnerswinner2_of_pair_0_0 <= 0 when winnerswinner2_of_pair_0_0_choice_8 else winnerswinner1_best_cost_0_0;
-      winnerswinner2_of_pair_0_1 <= winnerswinner1_best_cost_0_1 when winnerswinner2_of_pair_0_0_choice_8 else 0;
+      if winnerswinner2_four_index_0_0_choice_5 then
+        winnerswinner2_four_index_0_0_choice_6 := winnerswinner2_four_index_0_0_value_7 or ((not
+          (((winnerswinner2_of_pair_0_1 / 64) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 64) mod 2) = 1)));
+      else
+        winnerswinner2_four_index_0_0_choice_6 := winnerswinner2_four_index_0_0_value_7 and (not
+          (((winnerswinner2_of_pair_0_1 / 64) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 64) mod 2) = 1));
+      end if;
+      if winnerswinner2_four_index_0_0_choice_6 then
+        winnerswinner2_four_index_0_0_choice_7 := (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) and
+          (((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1));
+      else
+        winnerswinner2_four_index_0_0_choice_7 := (not ((winnerswinner2_of_pair_0_2 / 128) = 1)) or
+          ((winnerswinner2_of_pair_0_1 / 128) = 1) or ((winnerswinner2_of_pair_0_0 / 128) = 1);
+      end if;
       winnerswinner2_of_pair_0_2 <= winnerswinner1_best_cost_0_2;
-      winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_of_pair_0_0_choice_8 else
-        winnerswinner1_best_index_0_0;
       winnerswinner2_pair_index_0_1 <= winnerswinner1_best_index_0_2;
       winnerswinner2_pair_tag_valid <= winnerswinner1_tag_valid;
       winnerswinner2_pair_tag_map_column <= winnerswinner1_tag_map_column;
       winnerswinner2_pair_tag_output_column <= winnerswinner1_tag_output_column;
       winnerswinner2_pair_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
       winnerswinner2_pair_tag_end_of_line <= winnerswinner1_tag_end_of_line;
-      winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_1 when winnerswinner2_four_index_0_0_choice_7 else
-        winnerswinner2_pair_index_0_0;
       winnerswinner2_four_tag_valid <= winnerswinner2_pair_tag_valid;
       winnerswinner2_four_tag_map_column <= winnerswinner2_pair_tag_map_column;
       winnerswinner2_four_tag_output_column <= winnerswinner2_pair_tag_output_column;
@@ -2487,6 +3699,20 @@ begin
       winnerswinner2_tag_output_column <= winnerswinner2_four_tag_output_column;
       winnerswinner2_tag_start_of_frame <= winnerswinner2_four_tag_start_of_frame;
       winnerswinner2_tag_end_of_line <= winnerswinner2_four_tag_end_of_line;
+      if winnerswinner2_of_pair_0_0_choice_8 then
+        winnerswinner2_of_pair_0_0 <= 0;
+        winnerswinner2_of_pair_0_1 <= winnerswinner1_best_cost_0_1;
+        winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_1;
+      else
+        winnerswinner2_of_pair_0_0 <= winnerswinner1_best_cost_0_0;
+        winnerswinner2_of_pair_0_1 <= 0;
+        winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_0;
+      end if;
+      if winnerswinner2_four_index_0_0_choice_7 then
+        winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_1;
+      else
+        winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_0;
+      end if;
       -- winners
       winners_best_index_0_0 <= winnerswinner2_best_index_0_0;
       winners_best_tag_valid <= winnerswinner2_tag_valid;
@@ -2496,20 +3722,31 @@ begin
       winners_best_tag_end_of_line <= winnerswinner2_tag_end_of_line;
       -- turn
       turn_order_address_any := turn_order_inside or (not winners_best_tag_map_column) or (not winners_best_tag_valid);
-      turn_order_address_choice := 31 when turn_order_falls else 1;
-      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      if turn_order_falls then
+        turn_order_address_choice := 31;
+      else
+        turn_order_address_choice := 1;
+      end if;
+      if turn_order_falls then
+        turn_order_address_choice_2 := 0;
+      else
+        turn_order_address_choice_2 := 7;
+      end if;
       turn_order_address_any_2 := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
       if not turn_order_address_any_2 then
-        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
-          turn_order_address_choice_2 * 4;
+        if turn_order_address_any then
+          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32;
+        else
+          turn_order_address <= turn_order_address_choice_2 * 4;
+        end if;
       end if;
       turn_order_falls_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
       turn_order_complete_all := winners_best_tag_map_column and winners_best_tag_valid;
-      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
-        else turn_order_held_output;
-      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
-      turn_order_complete <= turn_order_complete or turn_order_complete_all when winners_best_tag_end_of_line else
-        turn_order_complete and turn_order_address_any_2;
+      if turn_order_falls_all then
+        turn_order_turned_output_column_choice := turn_order_output and turn_order_complete;
+      else
+        turn_order_turned_output_column_choice := turn_order_held_output;
+      end if;
       turn_order_turned_valid <= winners_best_tag_valid;
       turn_order_turned_output_column <= turn_order_turned_output_column_choice and winners_best_tag_map_column;
       turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag_map_column and
@@ -2526,6 +3763,16 @@ begin
       turn_ready_tag_output_column <= turn_read_tag_output_column;
       turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
       turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
+      if turn_order_falls then
+        turn_order_falls <= turn_order_address_any;
+      else
+        turn_order_falls <= turn_order_falls_all;
+      end if;
+      if winners_best_tag_end_of_line then
+        turn_order_complete <= turn_order_complete or turn_order_complete_all;
+      else
+        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
+      end if;
       if winners_best_tag_valid then
         turn_order_inside <= winners_best_tag_map_column;
       end if;

@@ -368,27 +368,78 @@ architecture rtl of stereo_core_tiny_sgm_w1_sad_left is
   signal other_0, other_1, other_2, other_3, other_4, other_5, other_6, other_7, other_8 : natural range 0 to 248;
   signal other_9, other_10, other_11, other_12, other_13, other_14, other_15, other_16 : natural range 0 to 248;
   signal other_17, other_18, other_19, other_20, other_21, other_22, other_23 : natural range 0 to 248;
+  signal turn_read_words_0_memory_read_enable : boolean;
+  signal turn_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal turn_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal sums_sum_delay_held_2_memory_read_enable : boolean;
+  signal sums_sum_delay_held_2_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_2_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_2_memory_write_data : unsigned(27 downto 0);
+  signal sums_sum_delay_held_1_memory_read_enable : boolean;
+  signal sums_sum_delay_held_1_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_1_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_1_memory_write_data : unsigned(27 downto 0);
+  signal sums_sum_delay_held_0_memory_read_enable : boolean;
+  signal sums_sum_delay_held_0_memory_read_address : unsigned(1 downto 0);
+  signal sums_sum_delay_held_0_memory_write_address : unsigned(1 downto 0);
   signal sums_sum_delay_held_0_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_2_memory_read_enable : boolean;
+  signal sums_turn_read_sums_2_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_2_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_2_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_1_memory_read_enable : boolean;
+  signal sums_turn_read_sums_1_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_1_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_1_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_sums_0_memory_read_enable : boolean;
+  signal sums_turn_read_sums_0_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_sums_0_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_sums_0_memory_write_data : unsigned(27 downto 0);
+  signal sums_turn_read_costs_1_memory_read_enable : boolean;
+  signal sums_turn_read_costs_1_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_costs_1_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_costs_1_memory_write_data : unsigned(15 downto 0);
+  signal sums_turn_read_costs_0_memory_read_enable : boolean;
+  signal sums_turn_read_costs_0_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_costs_0_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_costs_0_memory_write_data : unsigned(31 downto 0);
+  signal sums_turn_read_smallest_0_memory_read_enable : boolean;
+  signal sums_turn_read_smallest_0_memory_read_address : unsigned(4 downto 0);
+  signal sums_turn_read_smallest_0_memory_write_address : unsigned(4 downto 0);
   signal sums_turn_read_smallest_0_memory_write_data : unsigned(4 downto 0);
+  signal forward_above_read_words_1_memory_read_enable : boolean;
+  signal forward_above_read_words_1_memory_read_address : unsigned(4 downto 0);
+  signal forward_above_read_words_1_memory_write_address : unsigned(4 downto 0);
   signal forward_above_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_read_words_0_memory_read_enable : boolean;
+  signal forward_above_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal forward_above_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal forward_above_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal forward_above_delay_held_2_memory_read_enable : boolean;
+  signal forward_above_delay_held_2_memory_read_address : unsigned(2 downto 0);
+  signal forward_above_delay_held_2_memory_write_address : unsigned(2 downto 0);
   signal forward_above_delay_held_2_memory_write_data : unsigned(11 downto 0);
+  signal forward_above_delay_held_1_memory_read_enable : boolean;
+  signal forward_above_delay_held_1_memory_read_address : unsigned(2 downto 0);
+  signal forward_above_delay_held_1_memory_write_address : unsigned(2 downto 0);
   signal forward_above_delay_held_1_memory_write_data : unsigned(29 downto 0);
+  signal forward_above_delay_held_0_memory_read_enable : boolean;
+  signal forward_above_delay_held_0_memory_read_address : unsigned(2 downto 0);
+  signal forward_above_delay_held_0_memory_write_address : unsigned(2 downto 0);
   signal forward_above_delay_held_0_memory_write_data : unsigned(29 downto 0);
+  signal forward_cost_delay_held_1_memory_read_enable : boolean;
+  signal forward_cost_delay_held_1_memory_read_address : unsigned(2 downto 0);
+  signal forward_cost_delay_held_1_memory_write_address : unsigned(2 downto 0);
   signal forward_cost_delay_held_1_memory_write_data : unsigned(16 downto 0);
+  signal forward_cost_delay_held_0_memory_read_enable : boolean;
+  signal forward_cost_delay_held_0_memory_read_address : unsigned(2 downto 0);
+  signal forward_cost_delay_held_0_memory_write_address : unsigned(2 downto 0);
   signal forward_cost_delay_held_0_memory_write_data : unsigned(31 downto 0);
 
 begin
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
   disparity <= std_logic_vector(to_unsigned((turn_ready mod 16), 8));
@@ -397,141 +448,192 @@ begin
   disparity_start_of_frame <= as_bit(turn_ready_tag_start_of_frame and turn_ready_tag_valid and turn_ready_tag_output_column);
   disparity_end_of_line <= as_bit(turn_ready_tag_end_of_line and turn_ready_tag_valid and turn_ready_tag_output_column);
 
+  turn_read_words_0_memory_read_enable <= true;
+  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 5);
+  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 5);
   turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
   turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9)
+    generic map (depth => 29, width => 9, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
+      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
+      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
 
+  sums_sum_delay_held_2_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_2_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_2_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_2_memory_write_data <= to_unsigned(sums_turn_ready_sums_2, 28);
   sums_sum_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 4, width => 28)
+    generic map (depth => 4, width => 28, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_2,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_2_memory_read_enable,
+      read_address => sums_sum_delay_held_2_memory_read_address, read_data => sums_sum_delay_held_2,
+      write_address => sums_sum_delay_held_2_memory_write_address, write_data => sums_sum_delay_held_2_memory_write_data);
 
+  sums_sum_delay_held_1_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_1_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_1_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_1_memory_write_data <= to_unsigned(sums_turn_ready_sums_1, 28);
   sums_sum_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 4, width => 28)
+    generic map (depth => 4, width => 28, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_1,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_1_memory_read_enable,
+      read_address => sums_sum_delay_held_1_memory_read_address, read_data => sums_sum_delay_held_1,
+      write_address => sums_sum_delay_held_1_memory_write_address, write_data => sums_sum_delay_held_1_memory_write_data);
 
+  sums_sum_delay_held_0_memory_read_enable <= entry_tag_valid;
+  sums_sum_delay_held_0_memory_read_address <= to_unsigned(sums_sum_delay_ring_read_address, 2);
+  sums_sum_delay_held_0_memory_write_address <= to_unsigned(sums_sum_delay_ring_write_address, 2);
   sums_sum_delay_held_0_memory_write_data <= to_unsigned(sums_turn_ready_sums_0, 28);
   sums_sum_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 4, width => 28)
+    generic map (depth => 4, width => 28, address_bits => 2)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => sums_sum_delay_ring_read_address, read_data => sums_sum_delay_held_0,
-      write_address => sums_sum_delay_ring_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
+      clock => clock, read_enable => sums_sum_delay_held_0_memory_read_enable,
+      read_address => sums_sum_delay_held_0_memory_read_address, read_data => sums_sum_delay_held_0,
+      write_address => sums_sum_delay_held_0_memory_write_address, write_data => sums_sum_delay_held_0_memory_write_data);
 
+  sums_turn_read_sums_2_memory_read_enable <= true;
+  sums_turn_read_sums_2_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_sums_2_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_sums_2_memory_write_data <= to_unsigned(sums_turn_write_sums_2, 28);
   sums_turn_read_sums_2_memory : entity work.line_memory
-    generic map (depth => 29, width => 28)
+    generic map (depth => 29, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_sums_2,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_2_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_2_memory_read_enable,
+      read_address => sums_turn_read_sums_2_memory_read_address, read_data => sums_turn_read_sums_2,
+      write_address => sums_turn_read_sums_2_memory_write_address, write_data => sums_turn_read_sums_2_memory_write_data);
 
+  sums_turn_read_sums_1_memory_read_enable <= true;
+  sums_turn_read_sums_1_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_sums_1_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_sums_1_memory_write_data <= to_unsigned(sums_turn_write_sums_1, 28);
   sums_turn_read_sums_1_memory : entity work.line_memory
-    generic map (depth => 29, width => 28)
+    generic map (depth => 29, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_sums_1,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_1_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_1_memory_read_enable,
+      read_address => sums_turn_read_sums_1_memory_read_address, read_data => sums_turn_read_sums_1,
+      write_address => sums_turn_read_sums_1_memory_write_address, write_data => sums_turn_read_sums_1_memory_write_data);
 
+  sums_turn_read_sums_0_memory_read_enable <= true;
+  sums_turn_read_sums_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_sums_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_sums_0_memory_write_data <= to_unsigned(sums_turn_write_sums_0, 28);
   sums_turn_read_sums_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 28)
+    generic map (depth => 29, width => 28, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_sums_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_sums_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_sums_0_memory_read_enable,
+      read_address => sums_turn_read_sums_0_memory_read_address, read_data => sums_turn_read_sums_0,
+      write_address => sums_turn_read_sums_0_memory_write_address, write_data => sums_turn_read_sums_0_memory_write_data);
 
+  sums_turn_read_costs_1_memory_read_enable <= true;
+  sums_turn_read_costs_1_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_costs_1_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_costs_1_memory_write_data <= to_unsigned(sums_turn_write_costs_1, 16);
   sums_turn_read_costs_1_memory : entity work.line_memory
-    generic map (depth => 29, width => 16)
+    generic map (depth => 29, width => 16, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_costs_1,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_1_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_costs_1_memory_read_enable,
+      read_address => sums_turn_read_costs_1_memory_read_address, read_data => sums_turn_read_costs_1,
+      write_address => sums_turn_read_costs_1_memory_write_address, write_data => sums_turn_read_costs_1_memory_write_data);
 
+  sums_turn_read_costs_0_memory_read_enable <= true;
+  sums_turn_read_costs_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_costs_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_costs_0_memory_write_data <= sums_turn_write_costs_0;
   sums_turn_read_costs_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 32)
+    generic map (depth => 29, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_costs_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_costs_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_costs_0_memory_read_enable,
+      read_address => sums_turn_read_costs_0_memory_read_address, read_data => sums_turn_read_costs_0,
+      write_address => sums_turn_read_costs_0_memory_write_address, write_data => sums_turn_read_costs_0_memory_write_data);
 
+  sums_turn_read_smallest_0_memory_read_enable <= true;
+  sums_turn_read_smallest_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  sums_turn_read_smallest_0_memory_write_address <= to_unsigned(sums_turn_write_place, 5);
   sums_turn_read_smallest_0_memory_write_data <= to_unsigned(sums_turn_write_smallest_0, 5);
   sums_turn_read_smallest_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 5)
+    generic map (depth => 29, width => 5, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => sums_turn_read_smallest_0,
-      write_address => sums_turn_write_place, write_data => sums_turn_read_smallest_0_memory_write_data);
+      clock => clock, read_enable => sums_turn_read_smallest_0_memory_read_enable,
+      read_address => sums_turn_read_smallest_0_memory_read_address, read_data => sums_turn_read_smallest_0,
+      write_address => sums_turn_read_smallest_0_memory_write_address, write_data => sums_turn_read_smallest_0_memory_write_data);
 
+  forward_above_read_words_1_memory_read_enable <= true;
+  forward_above_read_words_1_memory_read_address <= to_unsigned(entry_next_column, 5);
+  forward_above_read_words_1_memory_write_address <= to_unsigned(forward_above_write_column, 5);
   forward_above_read_words_1_memory_write_data <= forward_above_write_words_1;
   forward_above_read_words_1_memory : entity work.line_memory
-    generic map (depth => 29, width => 32)
+    generic map (depth => 29, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_next_column, read_data => forward_above_read_words_1,
-      write_address => forward_above_write_column, write_data => forward_above_read_words_1_memory_write_data);
+      clock => clock, read_enable => forward_above_read_words_1_memory_read_enable,
+      read_address => forward_above_read_words_1_memory_read_address, read_data => forward_above_read_words_1,
+      write_address => forward_above_read_words_1_memory_write_address, write_data => forward_above_read_words_1_memory_write_data);
 
+  forward_above_read_words_0_memory_read_enable <= true;
+  forward_above_read_words_0_memory_read_address <= to_unsigned(entry_next_column, 5);
+  forward_above_read_words_0_memory_write_address <= to_unsigned(forward_above_write_column, 5);
   forward_above_read_words_0_memory_write_data <= forward_above_write_words_0;
   forward_above_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 32)
+    generic map (depth => 29, width => 32, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_next_column, read_data => forward_above_read_words_0,
-      write_address => forward_above_write_column, write_data => forward_above_read_words_0_memory_write_data);
+      clock => clock, read_enable => forward_above_read_words_0_memory_read_enable,
+      read_address => forward_above_read_words_0_memory_read_address, read_data => forward_above_read_words_0,
+      write_address => forward_above_read_words_0_memory_write_address, write_data => forward_above_read_words_0_memory_write_data);
 
+  forward_above_delay_held_2_memory_read_enable <= entry_tag_valid;
+  forward_above_delay_held_2_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+  forward_above_delay_held_2_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
   forward_above_delay_held_2_memory_write_data <= to_unsigned(forward_above_total_11, 6) & to_unsigned(forward_above_total_10, 6);
   forward_above_delay_held_2_memory : entity work.line_memory
-    generic map (depth => 5, width => 12)
+    generic map (depth => 5, width => 12, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_2,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_2_memory_write_data);
+      clock => clock, read_enable => forward_above_delay_held_2_memory_read_enable,
+      read_address => forward_above_delay_held_2_memory_read_address, read_data => forward_above_delay_held_2,
+      write_address => forward_above_delay_held_2_memory_write_address, write_data => forward_above_delay_held_2_memory_write_data);
 
+  forward_above_delay_held_1_memory_read_enable <= entry_tag_valid;
+  forward_above_delay_held_1_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+  forward_above_delay_held_1_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
   forward_above_delay_held_1_memory_write_data <= to_unsigned(forward_above_total_9, 6) & to_unsigned(forward_above_total_8, 6) & to_unsigned(forward_above_total_7, 6) & to_unsigned(forward_above_total_6, 6) & to_unsigned(forward_above_total_5, 6);
   forward_above_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 5, width => 30)
+    generic map (depth => 5, width => 30, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_1,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_1_memory_write_data);
+      clock => clock, read_enable => forward_above_delay_held_1_memory_read_enable,
+      read_address => forward_above_delay_held_1_memory_read_address, read_data => forward_above_delay_held_1,
+      write_address => forward_above_delay_held_1_memory_write_address, write_data => forward_above_delay_held_1_memory_write_data);
 
+  forward_above_delay_held_0_memory_read_enable <= entry_tag_valid;
+  forward_above_delay_held_0_memory_read_address <= to_unsigned(forward_cost_delay_ring_read_address, 3);
+  forward_above_delay_held_0_memory_write_address <= to_unsigned(forward_cost_delay_ring_write_address, 3);
   forward_above_delay_held_0_memory_write_data <= to_unsigned(forward_above_total_4, 6) & to_unsigned(forward_above_total_3, 6) & to_unsigned(forward_above_total_2, 6) & to_unsigned(forward_above_total_1, 6) & to_unsigned(forward_above_total_0, 6);
   forward_above_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 5, width => 30)
+    generic map (depth => 5, width => 30, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_cost_delay_ring_read_address, read_data => forward_above_delay_held_0,
-      write_address => forward_cost_delay_ring_write_address, write_data => forward_above_delay_held_0_memory_write_data);
+      clock => clock, read_enable => forward_above_delay_held_0_memory_read_enable,
+      read_address => forward_above_delay_held_0_memory_read_address, read_data => forward_above_delay_held_0,
+      write_address => forward_above_delay_held_0_memory_write_address, write_data => forward_above_delay_held_0_memory_write_data);
 
+  forward_cost_delay_held_1_memory_read_enable <= entry_tag_valid;
+  forward_cost_delay_held_1_memory_read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
+  forward_cost_delay_held_1_memory_write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
   forward_cost_delay_held_1_memory_write_data <= ((((((to_unsigned(entry_cost_10, 9) & to_unsigned(0, 8)) or (to_unsigned(entry_cost_11, 5) & to_unsigned(0, 12)))) or (to_unsigned(entry_cost_8, 17)))) or (to_unsigned(entry_cost_9, 13) & to_unsigned(0, 4)));
   forward_cost_delay_held_1_memory : entity work.line_memory
-    generic map (depth => 5, width => 17)
+    generic map (depth => 5, width => 17, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_1,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
+      clock => clock, read_enable => forward_cost_delay_held_1_memory_read_enable,
+      read_address => forward_cost_delay_held_1_memory_read_address, read_data => forward_cost_delay_held_1,
+      write_address => forward_cost_delay_held_1_memory_write_address, write_data => forward_cost_delay_held_1_memory_write_data);
 
+  forward_cost_delay_held_0_memory_read_enable <= entry_tag_valid;
+  forward_cost_delay_held_0_memory_read_address <= to_unsigned(forward_above_delay_ring_read_address, 3);
+  forward_cost_delay_held_0_memory_write_address <= to_unsigned(forward_above_delay_ring_write_address, 3);
   forward_cost_delay_held_0_memory_write_data <= ((((((((((((((to_unsigned(entry_cost_6, 8) & to_unsigned(0, 24)) or (to_unsigned((entry_cost_7 mod 16), 4) & to_unsigned(0, 28)))) or (to_unsigned(entry_cost_5, 12) & to_unsigned(0, 20)))) or (to_unsigned(entry_cost_4, 16) & to_unsigned(0, 16)))) or (to_unsigned(entry_cost_3, 20) & to_unsigned(0, 12)))) or (to_unsigned(entry_cost_2, 24) & to_unsigned(0, 8)))) or (to_unsigned(entry_cost_0, 32)))) or (to_unsigned(entry_cost_1, 28) & to_unsigned(0, 4)));
   forward_cost_delay_held_0_memory : entity work.line_memory
-    generic map (depth => 5, width => 32)
+    generic map (depth => 5, width => 32, address_bits => 3)
     port map (
-      clock => clock, read_enable => entry_tag_valid,
-      read_address => forward_above_delay_ring_read_address, read_data => forward_cost_delay_held_0,
-      write_address => forward_above_delay_ring_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
+      clock => clock, read_enable => forward_cost_delay_held_0_memory_read_enable,
+      read_address => forward_cost_delay_held_0_memory_read_address, read_data => forward_cost_delay_held_0,
+      write_address => forward_cost_delay_held_0_memory_write_address, write_data => forward_cost_delay_held_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, delay_tag_first_cost_is_equal, delay_tag_map_column_is_not_less : boolean;
@@ -684,11 +786,18 @@ begin
       raster_features_search_0 <= in_right_pixel;
       raster_features_reference_0 <= in_left_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= 0 when in_start_of_frame and in_valid else (raster_place_group +
-        as_number(((raster_place_group /= 12) and raster_place_group_is_equal and in_valid))) mod 16;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= 0;
+      else
+        raster_place_group <= (raster_place_group + as_number(((raster_place_group /= 12) and
+          raster_place_group_is_equal and in_valid))) mod 16;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal or in_start_of_frame else (raster_place_column + 1)
-          mod 64;
+        if raster_place_group_is_equal or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 64;
+        end if;
       end if;
       -- delay
       delay_tag_first_cost_is_equal := raster_place_column = 11;
@@ -702,10 +811,14 @@ begin
         = 1) or ((raster_place_column mod 4) = 3)))) and ((raster_place_column / 16) = 0);
       delay_tag_first_cost <= delay_tag_first_cost_is_equal;
       delay_tag_map_column <= delay_tag_map_column_all;
-      delay_tag_output_column <= (not (((raster_place_group / 4) mod 2) = 1)) and delay_tag_map_column_is_not_less and
-        delay_tag_map_column_is_less when (raster_place_group / 8) = 1 else delay_tag_map_column_all;
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 0);
       delay_tag_end_of_line <= raster_place_group_is_equal;
+      if (raster_place_group / 8) = 1 then
+        delay_tag_output_column <= (not (((raster_place_group / 4) mod 2) = 1)) and delay_tag_map_column_is_not_less
+          and delay_tag_map_column_is_less;
+      else
+        delay_tag_output_column <= delay_tag_map_column_all;
+      end if;
       -- rows
       rows_search_0 <= delay_delayed_0;
       rows_reference_0 <= delay_ahead_0;
@@ -762,16 +875,6 @@ begin
       slice0window_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0window_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
       -- slice0
-      slice0_held_0_0 <= 12 when (((((other_22 / 16) mod 2) = 1) or (((other_22 / 8) mod 2) = 1)) and (((other_22 / 32)
-        mod 4) = 3)) or ((other_22 / 128) = 1) else other_22 / 8;
-      slice0_held_0_1 <= 12 when (((((other_20 / 16) mod 2) = 1) or (((other_20 / 8) mod 2) = 1)) and (((other_20 / 32)
-        mod 4) = 3)) or ((other_20 / 128) = 1) else other_20 / 8;
-      slice0_held_0_2 <= 12 when (((((other_18 / 16) mod 2) = 1) or (((other_18 / 8) mod 2) = 1)) and (((other_18 / 32)
-        mod 4) = 3)) or ((other_18 / 128) = 1) else other_18 / 8;
-      slice0_held_0_3 <= 12 when (((((other_16 / 16) mod 2) = 1) or (((other_16 / 8) mod 2) = 1)) and (((other_16 / 32)
-        mod 4) = 3)) or ((other_16 / 128) = 1) else other_16 / 8;
-      slice0_held_0_4 <= 12 when (((((other_14 / 16) mod 2) = 1) or (((other_14 / 8) mod 2) = 1)) and (((other_14 / 32)
-        mod 4) = 3)) or ((other_14 / 128) = 1) else other_14 / 8;
       slice0_held_1_0 <= slice0_held_0_0;
       slice0_held_1_1 <= slice0_held_0_1;
       slice0_held_1_2 <= slice0_held_0_2;
@@ -800,6 +903,36 @@ begin
       slice0_tag_2_output_column <= slice0_tag_1_map_column;
       slice0_tag_2_start_of_frame <= slice0_tag_1_start_of_frame;
       slice0_tag_2_end_of_line <= slice0_tag_1_end_of_line;
+      if (((((other_22 / 16) mod 2) = 1) or (((other_22 / 8) mod 2) = 1)) and (((other_22 / 32) mod 4) = 3)) or
+        ((other_22 / 128) = 1) then
+        slice0_held_0_0 <= 12;
+      else
+        slice0_held_0_0 <= other_22 / 8;
+      end if;
+      if (((((other_20 / 16) mod 2) = 1) or (((other_20 / 8) mod 2) = 1)) and (((other_20 / 32) mod 4) = 3)) or
+        ((other_20 / 128) = 1) then
+        slice0_held_0_1 <= 12;
+      else
+        slice0_held_0_1 <= other_20 / 8;
+      end if;
+      if (((((other_18 / 16) mod 2) = 1) or (((other_18 / 8) mod 2) = 1)) and (((other_18 / 32) mod 4) = 3)) or
+        ((other_18 / 128) = 1) then
+        slice0_held_0_2 <= 12;
+      else
+        slice0_held_0_2 <= other_18 / 8;
+      end if;
+      if (((((other_16 / 16) mod 2) = 1) or (((other_16 / 8) mod 2) = 1)) and (((other_16 / 32) mod 4) = 3)) or
+        ((other_16 / 128) = 1) then
+        slice0_held_0_3 <= 12;
+      else
+        slice0_held_0_3 <= other_16 / 8;
+      end if;
+      if (((((other_14 / 16) mod 2) = 1) or (((other_14 / 8) mod 2) = 1)) and (((other_14 / 32) mod 4) = 3)) or
+        ((other_14 / 128) = 1) then
+        slice0_held_0_4 <= 12;
+      else
+        slice0_held_0_4 <= other_14 / 8;
+      end if;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice0shift_search_out_0;
@@ -817,21 +950,41 @@ begin
       slice1cost_difference_0_3 <= slice1shift_search_0_3 - slice1shift_reference_0;
       slice1cost_difference_0_4 <= slice1shift_search_0_4 - slice1shift_reference_0;
       -- slice1
-      slice1_held_0_0 <= 12 when (((((other_12 / 16) mod 2) = 1) or (((other_12 / 8) mod 2) = 1)) and (((other_12 / 32)
-        mod 4) = 3)) or ((other_12 / 128) = 1) else other_12 / 8;
-      slice1_held_0_1 <= 12 when (((((other_10 / 16) mod 2) = 1) or (((other_10 / 8) mod 2) = 1)) and (((other_10 / 32)
-        mod 4) = 3)) or ((other_10 / 128) = 1) else other_10 / 8;
-      slice1_held_0_2 <= 12 when (((((other_8 / 16) mod 2) = 1) or (((other_8 / 8) mod 2) = 1)) and (((other_8 / 32)
-        mod 4) = 3)) or ((other_8 / 128) = 1) else other_8 / 8;
-      slice1_held_0_3 <= 12 when (((((other_6 / 16) mod 2) = 1) or (((other_6 / 8) mod 2) = 1)) and (((other_6 / 32)
-        mod 4) = 3)) or ((other_6 / 128) = 1) else other_6 / 8;
-      slice1_held_0_4 <= 12 when (((((other_4 / 16) mod 2) = 1) or (((other_4 / 8) mod 2) = 1)) and (((other_4 / 32)
-        mod 4) = 3)) or ((other_4 / 128) = 1) else other_4 / 8;
       slice1_held_1_0 <= slice1_held_0_0;
       slice1_held_1_1 <= slice1_held_0_1;
       slice1_held_1_2 <= slice1_held_0_2;
       slice1_held_1_3 <= slice1_held_0_3;
       slice1_held_1_4 <= slice1_held_0_4;
+      if (((((other_12 / 16) mod 2) = 1) or (((other_12 / 8) mod 2) = 1)) and (((other_12 / 32) mod 4) = 3)) or
+        ((other_12 / 128) = 1) then
+        slice1_held_0_0 <= 12;
+      else
+        slice1_held_0_0 <= other_12 / 8;
+      end if;
+      if (((((other_10 / 16) mod 2) = 1) or (((other_10 / 8) mod 2) = 1)) and (((other_10 / 32) mod 4) = 3)) or
+        ((other_10 / 128) = 1) then
+        slice1_held_0_1 <= 12;
+      else
+        slice1_held_0_1 <= other_10 / 8;
+      end if;
+      if (((((other_8 / 16) mod 2) = 1) or (((other_8 / 8) mod 2) = 1)) and (((other_8 / 32) mod 4) = 3)) or ((other_8
+        / 128) = 1) then
+        slice1_held_0_2 <= 12;
+      else
+        slice1_held_0_2 <= other_8 / 8;
+      end if;
+      if (((((other_6 / 16) mod 2) = 1) or (((other_6 / 8) mod 2) = 1)) and (((other_6 / 32) mod 4) = 3)) or ((other_6
+        / 128) = 1) then
+        slice1_held_0_3 <= 12;
+      else
+        slice1_held_0_3 <= other_6 / 8;
+      end if;
+      if (((((other_4 / 16) mod 2) = 1) or (((other_4 / 8) mod 2) = 1)) and (((other_4 / 32) mod 4) = 3)) or ((other_4
+        / 128) = 1) then
+        slice1_held_0_4 <= 12;
+      else
+        slice1_held_0_4 <= other_4 / 8;
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice1shift_search_out_0;
@@ -842,18 +995,29 @@ begin
       slice2cost_difference_0_0 <= slice2shift_search_0_0 - slice2shift_reference_0;
       slice2cost_difference_0_1 <= slice2shift_search_0_1 - slice2shift_reference_0;
       -- slice2
-      slice2_held_0_0 <= 12 when (((((other_2 / 16) mod 2) = 1) or (((other_2 / 8) mod 2) = 1)) and (((other_2 / 32)
-        mod 4) = 3)) or ((other_2 / 128) = 1) else other_2 / 8;
-      slice2_held_0_1 <= 12 when (((((other_0 / 16) mod 2) = 1) or (((other_0 / 8) mod 2) = 1)) and (((other_0 / 32)
-        mod 4) = 3)) or ((other_0 / 128) = 1) else other_0 / 8;
+      if (((((other_2 / 16) mod 2) = 1) or (((other_2 / 8) mod 2) = 1)) and (((other_2 / 32) mod 4) = 3)) or ((other_2
+        / 128) = 1) then
+        slice2_held_0_0 <= 12;
+      else
+        slice2_held_0_0 <= other_2 / 8;
+      end if;
+      if (((((other_0 / 16) mod 2) = 1) or (((other_0 / 8) mod 2) = 1)) and (((other_0 / 32) mod 4) = 3)) or ((other_0
+        / 128) = 1) then
+        slice2_held_0_1 <= 12;
+      else
+        slice2_held_0_1 <= other_0 / 8;
+      end if;
       -- entry
       entry_order_falls_any := entry_next_tag_output_column or (not slice0_tag_2_output_column) or (not
         slice0_tag_2_valid);
       entry_order_falls_all := (not entry_next_tag_output_column) and slice0_tag_2_output_column and slice0_tag_2_valid;
       entry_order_complete_all := slice0_tag_2_output_column and slice0_tag_2_valid;
       entry_order_complete_any := (not slice0_tag_2_output_column) or (not slice0_tag_2_valid);
-      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
-        else entry_order_held_output;
+      if entry_order_falls_all then
+        entry_order_turned_output_column_choice := entry_order_output and entry_order_complete;
+      else
+        entry_order_turned_output_column_choice := entry_order_held_output;
+      end if;
       entry_next_cost_0 <= slice0_held_2_0;
       entry_next_cost_1 <= slice0_held_2_1;
       entry_next_cost_2 <= slice0_held_2_2;
@@ -870,9 +1034,6 @@ begin
       entry_next_tag_first_cost <= slice0_tag_2_first_cost;
       entry_next_tag_map_column <= slice0_tag_2_output_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
-      entry_order_complete <= entry_order_complete or entry_order_complete_all when slice0_tag_2_end_of_line else
-        entry_order_complete and entry_order_complete_any;
       entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_output_column;
       entry_order_turned_first_column <= entry_order_falls_all;
       entry_order_turned_start_of_frame <= (not entry_next_tag_output_column) and slice0_tag_2_output_column and
@@ -899,18 +1060,44 @@ begin
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_first_column <= entry_order_turned_first_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
+      if entry_order_falls then
+        entry_order_falls <= entry_order_falls_any;
+      else
+        entry_order_falls <= entry_order_falls_all;
+      end if;
+      if slice0_tag_2_end_of_line then
+        entry_order_complete <= entry_order_complete or entry_order_complete_all;
+      else
+        entry_order_complete <= entry_order_complete and entry_order_complete_any;
+      end if;
       if slice0_tag_2_valid then
         entry_next_tag_output_column <= slice0_tag_2_output_column;
       end if;
       if entry_order_complete_all then
-        entry_next_column <= 0 when slice0_tag_2_first_cost else (entry_next_column + 1) mod 32;
-        entry_next_top <= slice0_tag_2_start_of_frame when slice0_tag_2_first_cost else entry_next_top;
+        if slice0_tag_2_first_cost then
+          entry_next_column <= 0;
+          entry_next_top <= slice0_tag_2_start_of_frame;
+        else
+          entry_next_column <= (entry_next_column + 1) mod 32;
+          entry_next_top <= entry_next_top;
+        end if;
       end if;
-      entry_order_address_choice := 31 when entry_order_falls else 1;
-      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if entry_order_falls then
+        entry_order_address_choice := 31;
+      else
+        entry_order_address_choice := 1;
+      end if;
+      if entry_order_falls then
+        entry_order_address_choice_2 := 0;
+      else
+        entry_order_address_choice_2 := 7;
+      end if;
       if not entry_order_complete_any then
-        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
-          else entry_order_address_choice_2 * 4;
+        if entry_order_falls_any then
+          entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32;
+        else
+          entry_order_address <= entry_order_address_choice_2 * 4;
+        end if;
       end if;
       if entry_order_falls_all then
         entry_order_output <= slice0_tag_2_map_column;
@@ -918,18 +1105,36 @@ begin
         entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
       -- forward
-      forward_left_pair_0_choice := forward_left_cost_2 when (forward_left_cost_2 - forward_left_cost_0) < 0 else
-        forward_left_cost_0;
-      forward_left_pair_1_choice := forward_left_cost_3 when (forward_left_cost_3 - forward_left_cost_1) < 0 else
-        forward_left_cost_1;
-      forward_left_pair_2_choice := forward_left_cost_6 when (forward_left_cost_6 - forward_left_cost_4) < 0 else
-        forward_left_cost_4;
-      forward_left_pair_3_choice := forward_left_cost_7 when (forward_left_cost_7 - forward_left_cost_5) < 0 else
-        forward_left_cost_5;
-      forward_left_pair_4_choice := forward_left_cost_10 when (forward_left_cost_10 - forward_left_cost_8) < 0 else
-        forward_left_cost_8;
-      forward_left_pair_5_choice := forward_left_cost_11 when (forward_left_cost_11 - forward_left_cost_9) < 0 else
-        forward_left_cost_9;
+      if (forward_left_cost_2 - forward_left_cost_0) < 0 then
+        forward_left_pair_0_choice := forward_left_cost_2;
+      else
+        forward_left_pair_0_choice := forward_left_cost_0;
+      end if;
+      if (forward_left_cost_3 - forward_left_cost_1) < 0 then
+        forward_left_pair_1_choice := forward_left_cost_3;
+      else
+        forward_left_pair_1_choice := forward_left_cost_1;
+      end if;
+      if (forward_left_cost_6 - forward_left_cost_4) < 0 then
+        forward_left_pair_2_choice := forward_left_cost_6;
+      else
+        forward_left_pair_2_choice := forward_left_cost_4;
+      end if;
+      if (forward_left_cost_7 - forward_left_cost_5) < 0 then
+        forward_left_pair_3_choice := forward_left_cost_7;
+      else
+        forward_left_pair_3_choice := forward_left_cost_5;
+      end if;
+      if (forward_left_cost_10 - forward_left_cost_8) < 0 then
+        forward_left_pair_4_choice := forward_left_cost_10;
+      else
+        forward_left_pair_4_choice := forward_left_cost_8;
+      end if;
+      if (forward_left_cost_11 - forward_left_cost_9) < 0 then
+        forward_left_pair_5_choice := forward_left_cost_11;
+      else
+        forward_left_pair_5_choice := forward_left_cost_9;
+      end if;
       forward_left_start_cost_0_value := (((forward_left_tree_next_next_smallest_0 mod 32) + forward_left_room) / 32) =
         1;
       if forward_left_start_cost_0_value then
@@ -948,122 +1153,273 @@ begin
       else
         forward_left_room_choice := forward_left_room;
       end if;
-      forward_left_room_choice_2 := 0 when (forward_left_tree_next_next_smallest_0 / 32) = 1 else
-        forward_left_room_choice;
-      forward_left_cost_0_choice := forward_left_arrived_0 when (forward_left_arrived_0 - forward_left_cost_0) < 0 else
-        forward_left_cost_0;
-      forward_left_cost_0_choice_2 := 32 when ((forward_left_cost_0_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_0_choice;
-      forward_left_cost_1_choice := forward_left_arrived_1 when (forward_left_arrived_1 - forward_left_cost_1) < 0 else
-        forward_left_cost_1;
-      forward_left_cost_1_choice_2 := 32 when ((forward_left_cost_1_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_1_choice;
-      forward_left_cost_2_choice := forward_left_arrived_2 when (forward_left_arrived_2 - forward_left_cost_2) < 0 else
-        forward_left_cost_2;
-      forward_left_cost_2_choice_2 := 32 when ((forward_left_cost_2_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_2_choice;
-      forward_left_cost_3_choice := forward_left_arrived_3 when (forward_left_arrived_3 - forward_left_cost_3) < 0 else
-        forward_left_cost_3;
-      forward_left_cost_3_choice_2 := 32 when ((forward_left_cost_3_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_3_choice;
-      forward_left_cost_4_choice := forward_left_arrived_4 when (forward_left_arrived_4 - forward_left_cost_4) < 0 else
-        forward_left_cost_4;
-      forward_left_cost_4_choice_2 := 32 when ((forward_left_cost_4_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_4_choice;
-      forward_left_cost_5_choice := forward_left_arrived_5 when (forward_left_arrived_5 - forward_left_cost_5) < 0 else
-        forward_left_cost_5;
-      forward_left_cost_5_choice_2 := 32 when ((forward_left_cost_5_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_5_choice;
-      forward_left_cost_6_choice := forward_left_arrived_6 when (forward_left_arrived_6 - forward_left_cost_6) < 0 else
-        forward_left_cost_6;
-      forward_left_cost_6_choice_2 := 32 when ((forward_left_cost_6_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_6_choice;
-      forward_left_cost_7_choice := forward_left_arrived_7 when (forward_left_arrived_7 - forward_left_cost_7) < 0 else
-        forward_left_cost_7;
-      forward_left_cost_7_choice_2 := 32 when ((forward_left_cost_7_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_7_choice;
-      forward_left_cost_8_choice := forward_left_arrived_8 when (forward_left_arrived_8 - forward_left_cost_8) < 0 else
-        forward_left_cost_8;
-      forward_left_cost_8_choice_2 := 32 when ((forward_left_cost_8_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_8_choice;
-      forward_left_cost_9_choice := forward_left_arrived_9 when (forward_left_arrived_9 - forward_left_cost_9) < 0 else
-        forward_left_cost_9;
-      forward_left_cost_9_choice_2 := 32 when ((forward_left_cost_9_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_9_choice;
-      forward_left_cost_10_choice := forward_left_arrived_10 when (forward_left_arrived_10 - forward_left_cost_10) < 0
-        else forward_left_cost_10;
-      forward_left_cost_10_choice_2 := 32 when ((forward_left_cost_10_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_10_choice;
-      forward_left_cost_11_choice := forward_left_arrived_11 when (forward_left_arrived_11 - forward_left_cost_11) < 0
-        else forward_left_cost_11;
-      forward_left_cost_11_choice_2 := 32 when ((forward_left_cost_11_choice / 32) = 1) or forward_left_first_2 else
-        forward_left_cost_11_choice;
-      forward_left_arrived_0_choice := 32 when forward_left_first_2 else forward_left_cost_1;
-      forward_left_arrived_1_choice := 32 when forward_left_first_2 else forward_left_pair_0_choice;
-      forward_left_arrived_2_choice := 32 when forward_left_first_2 else forward_left_pair_1_choice;
-      forward_left_arrived_3_choice := forward_left_cost_4 when (forward_left_cost_4 - forward_left_cost_2) < 0 else
-        forward_left_cost_2;
-      forward_left_arrived_3_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_3_choice;
-      forward_left_arrived_4_choice := forward_left_cost_5 when (forward_left_cost_5 - forward_left_cost_3) < 0 else
-        forward_left_cost_3;
-      forward_left_arrived_4_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_4_choice;
-      forward_left_arrived_5_choice := 32 when forward_left_first_2 else forward_left_pair_2_choice;
-      forward_left_arrived_6_choice := 32 when forward_left_first_2 else forward_left_pair_3_choice;
-      forward_left_arrived_7_choice := forward_left_cost_8 when (forward_left_cost_8 - forward_left_cost_6) < 0 else
-        forward_left_cost_6;
-      forward_left_arrived_7_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_7_choice;
-      forward_left_arrived_8_choice := forward_left_cost_9 when (forward_left_cost_9 - forward_left_cost_7) < 0 else
-        forward_left_cost_7;
-      forward_left_arrived_8_choice_2 := 32 when forward_left_first_2 else forward_left_arrived_8_choice;
-      forward_left_arrived_9_choice := 32 when forward_left_first_2 else forward_left_pair_4_choice;
-      forward_left_arrived_10_choice := 32 when forward_left_first_2 else forward_left_pair_5_choice;
-      forward_left_arrived_11_choice := 32 when forward_left_first_2 else forward_left_cost_10;
-      forward_above_total_0_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(4
-        downto 0));
-      forward_above_total_1_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(9
-        downto 5));
-      forward_above_total_2_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(14
-        downto 10));
-      forward_above_total_3_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(19
-        downto 15));
-      forward_above_total_4_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(24
-        downto 20));
-      forward_above_total_5_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_0(29
-        downto 25));
-      forward_above_total_6_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(4
-        downto 0));
-      forward_above_total_7_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(9
-        downto 5));
-      forward_above_total_8_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(14
-        downto 10));
-      forward_above_total_9_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(19
-        downto 15));
-      forward_above_total_10_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(24
-        downto 20));
-      forward_above_total_11_choice := 22 when forward_above_ready_top else to_integer(forward_above_ready_words_1(29
-        downto 25));
+      if (forward_left_tree_next_next_smallest_0 / 32) = 1 then
+        forward_left_room_choice_2 := 0;
+      else
+        forward_left_room_choice_2 := forward_left_room_choice;
+      end if;
+      if (forward_left_arrived_0 - forward_left_cost_0) < 0 then
+        forward_left_cost_0_choice := forward_left_arrived_0;
+      else
+        forward_left_cost_0_choice := forward_left_cost_0;
+      end if;
+      if ((forward_left_cost_0_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_0_choice_2 := 32;
+      else
+        forward_left_cost_0_choice_2 := forward_left_cost_0_choice;
+      end if;
+      if (forward_left_arrived_1 - forward_left_cost_1) < 0 then
+        forward_left_cost_1_choice := forward_left_arrived_1;
+      else
+        forward_left_cost_1_choice := forward_left_cost_1;
+      end if;
+      if ((forward_left_cost_1_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_1_choice_2 := 32;
+      else
+        forward_left_cost_1_choice_2 := forward_left_cost_1_choice;
+      end if;
+      if (forward_left_arrived_2 - forward_left_cost_2) < 0 then
+        forward_left_cost_2_choice := forward_left_arrived_2;
+      else
+        forward_left_cost_2_choice := forward_left_cost_2;
+      end if;
+      if ((forward_left_cost_2_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_2_choice_2 := 32;
+      else
+        forward_left_cost_2_choice_2 := forward_left_cost_2_choice;
+      end if;
+      if (forward_left_arrived_3 - forward_left_cost_3) < 0 then
+        forward_left_cost_3_choice := forward_left_arrived_3;
+      else
+        forward_left_cost_3_choice := forward_left_cost_3;
+      end if;
+      if ((forward_left_cost_3_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_3_choice_2 := 32;
+      else
+        forward_left_cost_3_choice_2 := forward_left_cost_3_choice;
+      end if;
+      if (forward_left_arrived_4 - forward_left_cost_4) < 0 then
+        forward_left_cost_4_choice := forward_left_arrived_4;
+      else
+        forward_left_cost_4_choice := forward_left_cost_4;
+      end if;
+      if ((forward_left_cost_4_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_4_choice_2 := 32;
+      else
+        forward_left_cost_4_choice_2 := forward_left_cost_4_choice;
+      end if;
+      if (forward_left_arrived_5 - forward_left_cost_5) < 0 then
+        forward_left_cost_5_choice := forward_left_arrived_5;
+      else
+        forward_left_cost_5_choice := forward_left_cost_5;
+      end if;
+      if ((forward_left_cost_5_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_5_choice_2 := 32;
+      else
+        forward_left_cost_5_choice_2 := forward_left_cost_5_choice;
+      end if;
+      if (forward_left_arrived_6 - forward_left_cost_6) < 0 then
+        forward_left_cost_6_choice := forward_left_arrived_6;
+      else
+        forward_left_cost_6_choice := forward_left_cost_6;
+      end if;
+      if ((forward_left_cost_6_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_6_choice_2 := 32;
+      else
+        forward_left_cost_6_choice_2 := forward_left_cost_6_choice;
+      end if;
+      if (forward_left_arrived_7 - forward_left_cost_7) < 0 then
+        forward_left_cost_7_choice := forward_left_arrived_7;
+      else
+        forward_left_cost_7_choice := forward_left_cost_7;
+      end if;
+      if ((forward_left_cost_7_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_7_choice_2 := 32;
+      else
+        forward_left_cost_7_choice_2 := forward_left_cost_7_choice;
+      end if;
+      if (forward_left_arrived_8 - forward_left_cost_8) < 0 then
+        forward_left_cost_8_choice := forward_left_arrived_8;
+      else
+        forward_left_cost_8_choice := forward_left_cost_8;
+      end if;
+      if ((forward_left_cost_8_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_8_choice_2 := 32;
+      else
+        forward_left_cost_8_choice_2 := forward_left_cost_8_choice;
+      end if;
+      if (forward_left_arrived_9 - forward_left_cost_9) < 0 then
+        forward_left_cost_9_choice := forward_left_arrived_9;
+      else
+        forward_left_cost_9_choice := forward_left_cost_9;
+      end if;
+      if ((forward_left_cost_9_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_9_choice_2 := 32;
+      else
+        forward_left_cost_9_choice_2 := forward_left_cost_9_choice;
+      end if;
+      if (forward_left_arrived_10 - forward_left_cost_10) < 0 then
+        forward_left_cost_10_choice := forward_left_arrived_10;
+      else
+        forward_left_cost_10_choice := forward_left_cost_10;
+      end if;
+      if ((forward_left_cost_10_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_10_choice_2 := 32;
+      else
+        forward_left_cost_10_choice_2 := forward_left_cost_10_choice;
+      end if;
+      if (forward_left_arrived_11 - forward_left_cost_11) < 0 then
+        forward_left_cost_11_choice := forward_left_arrived_11;
+      else
+        forward_left_cost_11_choice := forward_left_cost_11;
+      end if;
+      if ((forward_left_cost_11_choice / 32) = 1) or forward_left_first_2 then
+        forward_left_cost_11_choice_2 := 32;
+      else
+        forward_left_cost_11_choice_2 := forward_left_cost_11_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_0_choice := 32;
+      else
+        forward_left_arrived_0_choice := forward_left_cost_1;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_1_choice := 32;
+      else
+        forward_left_arrived_1_choice := forward_left_pair_0_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_2_choice := 32;
+      else
+        forward_left_arrived_2_choice := forward_left_pair_1_choice;
+      end if;
+      if (forward_left_cost_4 - forward_left_cost_2) < 0 then
+        forward_left_arrived_3_choice := forward_left_cost_4;
+      else
+        forward_left_arrived_3_choice := forward_left_cost_2;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_3_choice_2 := 32;
+      else
+        forward_left_arrived_3_choice_2 := forward_left_arrived_3_choice;
+      end if;
+      if (forward_left_cost_5 - forward_left_cost_3) < 0 then
+        forward_left_arrived_4_choice := forward_left_cost_5;
+      else
+        forward_left_arrived_4_choice := forward_left_cost_3;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_4_choice_2 := 32;
+      else
+        forward_left_arrived_4_choice_2 := forward_left_arrived_4_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_5_choice := 32;
+      else
+        forward_left_arrived_5_choice := forward_left_pair_2_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_6_choice := 32;
+      else
+        forward_left_arrived_6_choice := forward_left_pair_3_choice;
+      end if;
+      if (forward_left_cost_8 - forward_left_cost_6) < 0 then
+        forward_left_arrived_7_choice := forward_left_cost_8;
+      else
+        forward_left_arrived_7_choice := forward_left_cost_6;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_7_choice_2 := 32;
+      else
+        forward_left_arrived_7_choice_2 := forward_left_arrived_7_choice;
+      end if;
+      if (forward_left_cost_9 - forward_left_cost_7) < 0 then
+        forward_left_arrived_8_choice := forward_left_cost_9;
+      else
+        forward_left_arrived_8_choice := forward_left_cost_7;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_8_choice_2 := 32;
+      else
+        forward_left_arrived_8_choice_2 := forward_left_arrived_8_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_9_choice := 32;
+      else
+        forward_left_arrived_9_choice := forward_left_pair_4_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_10_choice := 32;
+      else
+        forward_left_arrived_10_choice := forward_left_pair_5_choice;
+      end if;
+      if forward_left_first_2 then
+        forward_left_arrived_11_choice := 32;
+      else
+        forward_left_arrived_11_choice := forward_left_cost_10;
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_0_choice := 22;
+      else
+        forward_above_total_0_choice := to_integer(forward_above_ready_words_0(4 downto 0));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_1_choice := 22;
+      else
+        forward_above_total_1_choice := to_integer(forward_above_ready_words_0(9 downto 5));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_2_choice := 22;
+      else
+        forward_above_total_2_choice := to_integer(forward_above_ready_words_0(14 downto 10));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_3_choice := 22;
+      else
+        forward_above_total_3_choice := to_integer(forward_above_ready_words_0(19 downto 15));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_4_choice := 22;
+      else
+        forward_above_total_4_choice := to_integer(forward_above_ready_words_0(24 downto 20));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_5_choice := 22;
+      else
+        forward_above_total_5_choice := to_integer(forward_above_ready_words_0(29 downto 25));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_6_choice := 22;
+      else
+        forward_above_total_6_choice := to_integer(forward_above_ready_words_1(4 downto 0));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_7_choice := 22;
+      else
+        forward_above_total_7_choice := to_integer(forward_above_ready_words_1(9 downto 5));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_8_choice := 22;
+      else
+        forward_above_total_8_choice := to_integer(forward_above_ready_words_1(14 downto 10));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_9_choice := 22;
+      else
+        forward_above_total_9_choice := to_integer(forward_above_ready_words_1(19 downto 15));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_10_choice := 22;
+      else
+        forward_above_total_10_choice := to_integer(forward_above_ready_words_1(24 downto 20));
+      end if;
+      if forward_above_ready_top then
+        forward_above_total_11_choice := 22;
+      else
+        forward_above_total_11_choice := to_integer(forward_above_ready_words_1(29 downto 25));
+      end if;
       if entry_tag_valid then
-        forward_smallest_smallest_0 <= entry_cost_1 when (entry_cost_1 - entry_cost_0) < 0 else entry_cost_0;
-        forward_smallest_smallest_1 <= entry_cost_3 when (entry_cost_3 - entry_cost_2) < 0 else entry_cost_2;
-        forward_smallest_smallest_2 <= entry_cost_5 when (entry_cost_5 - entry_cost_4) < 0 else entry_cost_4;
-        forward_smallest_smallest_3 <= entry_cost_7 when (entry_cost_7 - entry_cost_6) < 0 else entry_cost_6;
-        forward_smallest_smallest_4 <= entry_cost_9 when (entry_cost_9 - entry_cost_8) < 0 else entry_cost_8;
-        forward_smallest_smallest_5 <= entry_cost_11 when (entry_cost_11 - entry_cost_10) < 0 else entry_cost_10;
-        forward_smallest_next_smallest_0 <= forward_smallest_smallest_1 when (forward_smallest_smallest_1 -
-          forward_smallest_smallest_0) < 0 else forward_smallest_smallest_0;
-        forward_smallest_next_smallest_1 <= forward_smallest_smallest_3 when (forward_smallest_smallest_3 -
-          forward_smallest_smallest_2) < 0 else forward_smallest_smallest_2;
-        forward_smallest_next_smallest_2 <= forward_smallest_smallest_5 when (forward_smallest_smallest_5 -
-          forward_smallest_smallest_4) < 0 else forward_smallest_smallest_4;
-        forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1 when
-          (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 else
-          forward_smallest_next_smallest_0;
         forward_smallest_next_next_smallest_1 <= forward_smallest_next_smallest_2;
-        forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1 when
-          (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 else
-          forward_smallest_next_next_smallest_0;
-        forward_cost_delay_ring_read_address <= 0 when forward_cost_delay_ring_read_address = 4 else
-          (forward_cost_delay_ring_read_address + 1) mod 8;
         forward_cost_delay_ring_write_address <= forward_cost_delay_ring_read_address;
         forward_left_pair_0 <= forward_left_pair_0_choice;
         forward_left_pair_1 <= forward_left_pair_1_choice;
@@ -1071,27 +1427,7 @@ begin
         forward_left_pair_3 <= forward_left_pair_3_choice;
         forward_left_pair_4 <= forward_left_pair_4_choice;
         forward_left_pair_5 <= forward_left_pair_5_choice;
-        forward_left_tree_smallest_0 <= forward_left_pair_1 when (forward_left_pair_1 - forward_left_pair_0) < 0 else
-          forward_left_pair_0;
-        forward_left_tree_smallest_1 <= forward_left_pair_3 when (forward_left_pair_3 - forward_left_pair_2) < 0 else
-          forward_left_pair_2;
-        forward_left_tree_smallest_2 <= forward_left_pair_5 when (forward_left_pair_5 - forward_left_pair_4) < 0 else
-          forward_left_pair_4;
-        forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1 when (forward_left_tree_smallest_1 -
-          forward_left_tree_smallest_0) < 0 else forward_left_tree_smallest_0;
         forward_left_tree_next_smallest_1 <= forward_left_tree_smallest_2;
-        forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1 when
-          (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 else
-          forward_left_tree_next_smallest_0;
-        forward_left_start_cost_0 <= 22 when sums_right_first_2 else forward_left_start_cost_0_choice_2;
-        forward_left_start_cost_1 <= 0 when sums_right_first_2 else forward_left_start_cost_0;
-        forward_left_start_cost_2 <= 0 when sums_right_first_2 else forward_left_start_cost_1;
-        forward_left_start_cost_3 <= 0 when sums_right_first_2 else forward_left_start_cost_2;
-        forward_left_start_cost_4 <= 0 when sums_right_first_2 else forward_left_start_cost_3;
-        forward_left_start_cost_5 <= 0 when sums_right_first_2 else forward_left_start_cost_4;
-        forward_left_start_cost_6 <= 0 when sums_right_first_2 else forward_left_start_cost_5;
-        forward_left_room <= 0 when sums_right_first_2 else (forward_left_room_choice_2 + forward_left_start_cost_6)
-          mod 32;
         forward_left_smallest <= forward_smallest_next_next_next_smallest_0;
         forward_left_smallest_less <= (forward_smallest_next_next_next_smallest_0 + 59) mod 64;
         forward_left_first_0 <= sums_right_first_2;
@@ -1174,33 +1510,7 @@ begin
         forward_above_total_9 <= forward_above_total_9_choice + forward_above_ready_cost_9;
         forward_above_total_10 <= forward_above_total_10_choice + forward_above_ready_cost_10;
         forward_above_total_11 <= forward_above_total_11_choice + forward_above_ready_cost_11;
-        forward_above_tree_smallest_0 <= forward_above_total_1 when (forward_above_total_1 - forward_above_total_0) < 0
-          else forward_above_total_0;
-        forward_above_tree_smallest_1 <= forward_above_total_3 when (forward_above_total_3 - forward_above_total_2) < 0
-          else forward_above_total_2;
-        forward_above_tree_smallest_2 <= forward_above_total_5 when (forward_above_total_5 - forward_above_total_4) < 0
-          else forward_above_total_4;
-        forward_above_tree_smallest_3 <= forward_above_total_7 when (forward_above_total_7 - forward_above_total_6) < 0
-          else forward_above_total_6;
-        forward_above_tree_smallest_4 <= forward_above_total_9 when (forward_above_total_9 - forward_above_total_8) < 0
-          else forward_above_total_8;
-        forward_above_tree_smallest_5 <= forward_above_total_11 when (forward_above_total_11 - forward_above_total_10)
-          < 0 else forward_above_total_10;
-        forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1 when (forward_above_tree_smallest_1 -
-          forward_above_tree_smallest_0) < 0 else forward_above_tree_smallest_0;
-        forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3 when (forward_above_tree_smallest_3 -
-          forward_above_tree_smallest_2) < 0 else forward_above_tree_smallest_2;
-        forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5 when (forward_above_tree_smallest_5 -
-          forward_above_tree_smallest_4) < 0 else forward_above_tree_smallest_4;
-        forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1 when
-          (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 else
-          forward_above_tree_next_smallest_0;
         forward_above_tree_next_next_smallest_1 <= forward_above_tree_next_smallest_2;
-        forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1 when
-          (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 else
-          forward_above_tree_next_next_smallest_0;
-        forward_above_delay_ring_read_address <= 0 when forward_above_delay_ring_read_address = 4 else
-          (forward_above_delay_ring_read_address + 1) mod 8;
         forward_above_delay_ring_write_address <= forward_above_delay_ring_read_address;
         forward_above_smallest_copy_0 <= forward_above_tree_next_next_next_smallest_0;
         forward_above_cost_0 <= (to_integer(forward_above_delay_held_0) - forward_above_smallest_copy_0) mod 64;
@@ -1225,26 +1535,6 @@ begin
         forward_above_cost_11 <= (to_integer(forward_above_delay_held_2(11 downto 6)) - forward_above_smallest_copy_0)
           mod 64;
         forward_above_beside_0 <= forward_above_cost_1;
-        forward_above_beside_1 <= forward_above_cost_2 when (forward_above_cost_2 - forward_above_cost_0) < 0 else
-          forward_above_cost_0;
-        forward_above_beside_2 <= forward_above_cost_3 when (forward_above_cost_3 - forward_above_cost_1) < 0 else
-          forward_above_cost_1;
-        forward_above_beside_3 <= forward_above_cost_4 when (forward_above_cost_4 - forward_above_cost_2) < 0 else
-          forward_above_cost_2;
-        forward_above_beside_4 <= forward_above_cost_5 when (forward_above_cost_5 - forward_above_cost_3) < 0 else
-          forward_above_cost_3;
-        forward_above_beside_5 <= forward_above_cost_6 when (forward_above_cost_6 - forward_above_cost_4) < 0 else
-          forward_above_cost_4;
-        forward_above_beside_6 <= forward_above_cost_7 when (forward_above_cost_7 - forward_above_cost_5) < 0 else
-          forward_above_cost_5;
-        forward_above_beside_7 <= forward_above_cost_8 when (forward_above_cost_8 - forward_above_cost_6) < 0 else
-          forward_above_cost_6;
-        forward_above_beside_8 <= forward_above_cost_9 when (forward_above_cost_9 - forward_above_cost_7) < 0 else
-          forward_above_cost_7;
-        forward_above_beside_9 <= forward_above_cost_10 when (forward_above_cost_10 - forward_above_cost_8) < 0 else
-          forward_above_cost_8;
-        forward_above_beside_10 <= forward_above_cost_11 when (forward_above_cost_11 - forward_above_cost_9) < 0 else
-          forward_above_cost_9;
         forward_above_beside_11 <= forward_above_cost_10;
         forward_above_own_0 <= forward_above_cost_0;
         forward_above_own_2 <= forward_above_cost_2;
@@ -1268,18 +1558,6 @@ begin
         forward_above_step_9 <= forward_above_beside_9 + 5;
         forward_above_step_10 <= forward_above_beside_10 + 5;
         forward_above_step_11 <= forward_above_beside_11 + 5;
-        forward_above_stay_0 <= forward_above_own_0 mod 32 when forward_above_own_0 < 22 else 22;
-        forward_above_stay_1 <= forward_above_beside_0 mod 32 when forward_above_beside_0 < 22 else 22;
-        forward_above_stay_2 <= forward_above_own_2 mod 32 when forward_above_own_2 < 22 else 22;
-        forward_above_stay_3 <= forward_above_own_3 mod 32 when forward_above_own_3 < 22 else 22;
-        forward_above_stay_4 <= forward_above_own_4 mod 32 when forward_above_own_4 < 22 else 22;
-        forward_above_stay_5 <= forward_above_own_5 mod 32 when forward_above_own_5 < 22 else 22;
-        forward_above_stay_6 <= forward_above_own_6 mod 32 when forward_above_own_6 < 22 else 22;
-        forward_above_stay_7 <= forward_above_own_7 mod 32 when forward_above_own_7 < 22 else 22;
-        forward_above_stay_8 <= forward_above_own_8 mod 32 when forward_above_own_8 < 22 else 22;
-        forward_above_stay_9 <= forward_above_own_9 mod 32 when forward_above_own_9 < 22 else 22;
-        forward_above_stay_10 <= forward_above_beside_11 mod 32 when forward_above_beside_11 < 22 else 22;
-        forward_above_stay_11 <= forward_above_own_11 mod 32 when forward_above_own_11 < 22 else 22;
         forward_above_comes_0 <= entry_tag_map_column;
         forward_above_comes_1 <= forward_above_comes_0;
         forward_above_comes_2 <= forward_above_comes_1;
@@ -1369,33 +1647,346 @@ begin
         forward_smallest_cost_2 <= forward_smallest_cost_1;
         forward_smallest_cost_3 <= forward_smallest_cost_2;
         forward_smallest_cost_4 <= forward_smallest_cost_3;
+        if (entry_cost_1 - entry_cost_0) < 0 then
+          forward_smallest_smallest_0 <= entry_cost_1;
+        else
+          forward_smallest_smallest_0 <= entry_cost_0;
+        end if;
+        if (entry_cost_3 - entry_cost_2) < 0 then
+          forward_smallest_smallest_1 <= entry_cost_3;
+        else
+          forward_smallest_smallest_1 <= entry_cost_2;
+        end if;
+        if (entry_cost_5 - entry_cost_4) < 0 then
+          forward_smallest_smallest_2 <= entry_cost_5;
+        else
+          forward_smallest_smallest_2 <= entry_cost_4;
+        end if;
+        if (entry_cost_7 - entry_cost_6) < 0 then
+          forward_smallest_smallest_3 <= entry_cost_7;
+        else
+          forward_smallest_smallest_3 <= entry_cost_6;
+        end if;
+        if (entry_cost_9 - entry_cost_8) < 0 then
+          forward_smallest_smallest_4 <= entry_cost_9;
+        else
+          forward_smallest_smallest_4 <= entry_cost_8;
+        end if;
+        if (entry_cost_11 - entry_cost_10) < 0 then
+          forward_smallest_smallest_5 <= entry_cost_11;
+        else
+          forward_smallest_smallest_5 <= entry_cost_10;
+        end if;
+        if (forward_smallest_smallest_1 - forward_smallest_smallest_0) < 0 then
+          forward_smallest_next_smallest_0 <= forward_smallest_smallest_1;
+        else
+          forward_smallest_next_smallest_0 <= forward_smallest_smallest_0;
+        end if;
+        if (forward_smallest_smallest_3 - forward_smallest_smallest_2) < 0 then
+          forward_smallest_next_smallest_1 <= forward_smallest_smallest_3;
+        else
+          forward_smallest_next_smallest_1 <= forward_smallest_smallest_2;
+        end if;
+        if (forward_smallest_smallest_5 - forward_smallest_smallest_4) < 0 then
+          forward_smallest_next_smallest_2 <= forward_smallest_smallest_5;
+        else
+          forward_smallest_next_smallest_2 <= forward_smallest_smallest_4;
+        end if;
+        if (forward_smallest_next_smallest_1 - forward_smallest_next_smallest_0) < 0 then
+          forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_1;
+        else
+          forward_smallest_next_next_smallest_0 <= forward_smallest_next_smallest_0;
+        end if;
+        if (forward_smallest_next_next_smallest_1 - forward_smallest_next_next_smallest_0) < 0 then
+          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_1;
+        else
+          forward_smallest_next_next_next_smallest_0 <= forward_smallest_next_next_smallest_0;
+        end if;
+        if forward_cost_delay_ring_read_address = 4 then
+          forward_cost_delay_ring_read_address <= 0;
+        else
+          forward_cost_delay_ring_read_address <= (forward_cost_delay_ring_read_address + 1) mod 8;
+        end if;
+        if (forward_left_pair_1 - forward_left_pair_0) < 0 then
+          forward_left_tree_smallest_0 <= forward_left_pair_1;
+        else
+          forward_left_tree_smallest_0 <= forward_left_pair_0;
+        end if;
+        if (forward_left_pair_3 - forward_left_pair_2) < 0 then
+          forward_left_tree_smallest_1 <= forward_left_pair_3;
+        else
+          forward_left_tree_smallest_1 <= forward_left_pair_2;
+        end if;
+        if (forward_left_pair_5 - forward_left_pair_4) < 0 then
+          forward_left_tree_smallest_2 <= forward_left_pair_5;
+        else
+          forward_left_tree_smallest_2 <= forward_left_pair_4;
+        end if;
+        if (forward_left_tree_smallest_1 - forward_left_tree_smallest_0) < 0 then
+          forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_1;
+        else
+          forward_left_tree_next_smallest_0 <= forward_left_tree_smallest_0;
+        end if;
+        if (forward_left_tree_next_smallest_1 - forward_left_tree_next_smallest_0) < 0 then
+          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_1;
+        else
+          forward_left_tree_next_next_smallest_0 <= forward_left_tree_next_smallest_0;
+        end if;
+        if sums_right_first_2 then
+          forward_left_start_cost_0 <= 22;
+          forward_left_start_cost_1 <= 0;
+          forward_left_start_cost_2 <= 0;
+          forward_left_start_cost_3 <= 0;
+          forward_left_start_cost_4 <= 0;
+          forward_left_start_cost_5 <= 0;
+          forward_left_start_cost_6 <= 0;
+          forward_left_room <= 0;
+        else
+          forward_left_start_cost_0 <= forward_left_start_cost_0_choice_2;
+          forward_left_start_cost_1 <= forward_left_start_cost_0;
+          forward_left_start_cost_2 <= forward_left_start_cost_1;
+          forward_left_start_cost_3 <= forward_left_start_cost_2;
+          forward_left_start_cost_4 <= forward_left_start_cost_3;
+          forward_left_start_cost_5 <= forward_left_start_cost_4;
+          forward_left_start_cost_6 <= forward_left_start_cost_5;
+          forward_left_room <= (forward_left_room_choice_2 + forward_left_start_cost_6) mod 32;
+        end if;
+        if (forward_above_total_1 - forward_above_total_0) < 0 then
+          forward_above_tree_smallest_0 <= forward_above_total_1;
+        else
+          forward_above_tree_smallest_0 <= forward_above_total_0;
+        end if;
+        if (forward_above_total_3 - forward_above_total_2) < 0 then
+          forward_above_tree_smallest_1 <= forward_above_total_3;
+        else
+          forward_above_tree_smallest_1 <= forward_above_total_2;
+        end if;
+        if (forward_above_total_5 - forward_above_total_4) < 0 then
+          forward_above_tree_smallest_2 <= forward_above_total_5;
+        else
+          forward_above_tree_smallest_2 <= forward_above_total_4;
+        end if;
+        if (forward_above_total_7 - forward_above_total_6) < 0 then
+          forward_above_tree_smallest_3 <= forward_above_total_7;
+        else
+          forward_above_tree_smallest_3 <= forward_above_total_6;
+        end if;
+        if (forward_above_total_9 - forward_above_total_8) < 0 then
+          forward_above_tree_smallest_4 <= forward_above_total_9;
+        else
+          forward_above_tree_smallest_4 <= forward_above_total_8;
+        end if;
+        if (forward_above_total_11 - forward_above_total_10) < 0 then
+          forward_above_tree_smallest_5 <= forward_above_total_11;
+        else
+          forward_above_tree_smallest_5 <= forward_above_total_10;
+        end if;
+        if (forward_above_tree_smallest_1 - forward_above_tree_smallest_0) < 0 then
+          forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_1;
+        else
+          forward_above_tree_next_smallest_0 <= forward_above_tree_smallest_0;
+        end if;
+        if (forward_above_tree_smallest_3 - forward_above_tree_smallest_2) < 0 then
+          forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_3;
+        else
+          forward_above_tree_next_smallest_1 <= forward_above_tree_smallest_2;
+        end if;
+        if (forward_above_tree_smallest_5 - forward_above_tree_smallest_4) < 0 then
+          forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_5;
+        else
+          forward_above_tree_next_smallest_2 <= forward_above_tree_smallest_4;
+        end if;
+        if (forward_above_tree_next_smallest_1 - forward_above_tree_next_smallest_0) < 0 then
+          forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_1;
+        else
+          forward_above_tree_next_next_smallest_0 <= forward_above_tree_next_smallest_0;
+        end if;
+        if (forward_above_tree_next_next_smallest_1 - forward_above_tree_next_next_smallest_0) < 0 then
+          forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_1;
+        else
+          forward_above_tree_next_next_next_smallest_0 <= forward_above_tree_next_next_smallest_0;
+        end if;
+        if forward_above_delay_ring_read_address = 4 then
+          forward_above_delay_ring_read_address <= 0;
+        else
+          forward_above_delay_ring_read_address <= (forward_above_delay_ring_read_address + 1) mod 8;
+        end if;
+        if (forward_above_cost_2 - forward_above_cost_0) < 0 then
+          forward_above_beside_1 <= forward_above_cost_2;
+        else
+          forward_above_beside_1 <= forward_above_cost_0;
+        end if;
+        if (forward_above_cost_3 - forward_above_cost_1) < 0 then
+          forward_above_beside_2 <= forward_above_cost_3;
+        else
+          forward_above_beside_2 <= forward_above_cost_1;
+        end if;
+        if (forward_above_cost_4 - forward_above_cost_2) < 0 then
+          forward_above_beside_3 <= forward_above_cost_4;
+        else
+          forward_above_beside_3 <= forward_above_cost_2;
+        end if;
+        if (forward_above_cost_5 - forward_above_cost_3) < 0 then
+          forward_above_beside_4 <= forward_above_cost_5;
+        else
+          forward_above_beside_4 <= forward_above_cost_3;
+        end if;
+        if (forward_above_cost_6 - forward_above_cost_4) < 0 then
+          forward_above_beside_5 <= forward_above_cost_6;
+        else
+          forward_above_beside_5 <= forward_above_cost_4;
+        end if;
+        if (forward_above_cost_7 - forward_above_cost_5) < 0 then
+          forward_above_beside_6 <= forward_above_cost_7;
+        else
+          forward_above_beside_6 <= forward_above_cost_5;
+        end if;
+        if (forward_above_cost_8 - forward_above_cost_6) < 0 then
+          forward_above_beside_7 <= forward_above_cost_8;
+        else
+          forward_above_beside_7 <= forward_above_cost_6;
+        end if;
+        if (forward_above_cost_9 - forward_above_cost_7) < 0 then
+          forward_above_beside_8 <= forward_above_cost_9;
+        else
+          forward_above_beside_8 <= forward_above_cost_7;
+        end if;
+        if (forward_above_cost_10 - forward_above_cost_8) < 0 then
+          forward_above_beside_9 <= forward_above_cost_10;
+        else
+          forward_above_beside_9 <= forward_above_cost_8;
+        end if;
+        if (forward_above_cost_11 - forward_above_cost_9) < 0 then
+          forward_above_beside_10 <= forward_above_cost_11;
+        else
+          forward_above_beside_10 <= forward_above_cost_9;
+        end if;
+        if forward_above_own_0 < 22 then
+          forward_above_stay_0 <= forward_above_own_0 mod 32;
+        else
+          forward_above_stay_0 <= 22;
+        end if;
+        if forward_above_beside_0 < 22 then
+          forward_above_stay_1 <= forward_above_beside_0 mod 32;
+        else
+          forward_above_stay_1 <= 22;
+        end if;
+        if forward_above_own_2 < 22 then
+          forward_above_stay_2 <= forward_above_own_2 mod 32;
+        else
+          forward_above_stay_2 <= 22;
+        end if;
+        if forward_above_own_3 < 22 then
+          forward_above_stay_3 <= forward_above_own_3 mod 32;
+        else
+          forward_above_stay_3 <= 22;
+        end if;
+        if forward_above_own_4 < 22 then
+          forward_above_stay_4 <= forward_above_own_4 mod 32;
+        else
+          forward_above_stay_4 <= 22;
+        end if;
+        if forward_above_own_5 < 22 then
+          forward_above_stay_5 <= forward_above_own_5 mod 32;
+        else
+          forward_above_stay_5 <= 22;
+        end if;
+        if forward_above_own_6 < 22 then
+          forward_above_stay_6 <= forward_above_own_6 mod 32;
+        else
+          forward_above_stay_6 <= 22;
+        end if;
+        if forward_above_own_7 < 22 then
+          forward_above_stay_7 <= forward_above_own_7 mod 32;
+        else
+          forward_above_stay_7 <= 22;
+        end if;
+        if forward_above_own_8 < 22 then
+          forward_above_stay_8 <= forward_above_own_8 mod 32;
+        else
+          forward_above_stay_8 <= 22;
+        end if;
+        if forward_above_own_9 < 22 then
+          forward_above_stay_9 <= forward_above_own_9 mod 32;
+        else
+          forward_above_stay_9 <= 22;
+        end if;
+        if forward_above_beside_11 < 22 then
+          forward_above_stay_10 <= forward_above_beside_11 mod 32;
+        else
+          forward_above_stay_10 <= 22;
+        end if;
+        if forward_above_own_11 < 22 then
+          forward_above_stay_11 <= forward_above_own_11 mod 32;
+        else
+          forward_above_stay_11 <= 22;
+        end if;
       end if;
-      forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid)) when
-        forward_above_comes_9 else entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
-      forward_above_write_words_0_choice := forward_above_step_4 when (forward_above_step_4 - forward_above_stay_4) < 0
-        else forward_above_stay_4;
-      forward_above_write_words_0_choice_2 := forward_above_step_5 when (forward_above_step_5 - forward_above_stay_5) <
-        0 else forward_above_stay_5;
-      forward_above_write_words_0_choice_3 := forward_above_step_3 when (forward_above_step_3 - forward_above_stay_3) <
-        0 else forward_above_stay_3;
-      forward_above_write_words_0_choice_4 := forward_above_step_2 when (forward_above_step_2 - forward_above_stay_2) <
-        0 else forward_above_stay_2;
-      forward_above_write_words_0_choice_5 := forward_above_step_0 when (forward_above_step_0 - forward_above_stay_0) <
-        0 else forward_above_stay_0;
-      forward_above_write_words_0_choice_6 := forward_above_step_1 when (forward_above_step_1 - forward_above_stay_1) <
-        0 else forward_above_stay_1;
-      forward_above_write_words_1_choice := forward_above_step_10 when (forward_above_step_10 - forward_above_stay_10)
-        < 0 else forward_above_stay_10;
-      forward_above_write_words_1_choice_2 := forward_above_step_11 when (forward_above_step_11 -
-        forward_above_stay_11) < 0 else forward_above_stay_11;
-      forward_above_write_words_1_choice_3 := forward_above_step_9 when (forward_above_step_9 - forward_above_stay_9) <
-        0 else forward_above_stay_9;
-      forward_above_write_words_1_choice_4 := forward_above_step_8 when (forward_above_step_8 - forward_above_stay_8) <
-        0 else forward_above_stay_8;
-      forward_above_write_words_1_choice_5 := forward_above_step_6 when (forward_above_step_6 - forward_above_stay_6) <
-        0 else forward_above_stay_6;
-      forward_above_write_words_1_choice_6 := forward_above_step_7 when (forward_above_step_7 - forward_above_stay_7) <
-        0 else forward_above_stay_7;
+      if forward_above_comes_9 then
+        forward_above_writes_copy_0 <= entry_next_tag_valid and (forward_above_comes_8 or (not entry_tag_valid));
+      else
+        forward_above_writes_copy_0 <= entry_next_tag_valid and forward_above_comes_8 and entry_tag_valid;
+      end if;
+      if (forward_above_step_4 - forward_above_stay_4) < 0 then
+        forward_above_write_words_0_choice := forward_above_step_4;
+      else
+        forward_above_write_words_0_choice := forward_above_stay_4;
+      end if;
+      if (forward_above_step_5 - forward_above_stay_5) < 0 then
+        forward_above_write_words_0_choice_2 := forward_above_step_5;
+      else
+        forward_above_write_words_0_choice_2 := forward_above_stay_5;
+      end if;
+      if (forward_above_step_3 - forward_above_stay_3) < 0 then
+        forward_above_write_words_0_choice_3 := forward_above_step_3;
+      else
+        forward_above_write_words_0_choice_3 := forward_above_stay_3;
+      end if;
+      if (forward_above_step_2 - forward_above_stay_2) < 0 then
+        forward_above_write_words_0_choice_4 := forward_above_step_2;
+      else
+        forward_above_write_words_0_choice_4 := forward_above_stay_2;
+      end if;
+      if (forward_above_step_0 - forward_above_stay_0) < 0 then
+        forward_above_write_words_0_choice_5 := forward_above_step_0;
+      else
+        forward_above_write_words_0_choice_5 := forward_above_stay_0;
+      end if;
+      if (forward_above_step_1 - forward_above_stay_1) < 0 then
+        forward_above_write_words_0_choice_6 := forward_above_step_1;
+      else
+        forward_above_write_words_0_choice_6 := forward_above_stay_1;
+      end if;
+      if (forward_above_step_10 - forward_above_stay_10) < 0 then
+        forward_above_write_words_1_choice := forward_above_step_10;
+      else
+        forward_above_write_words_1_choice := forward_above_stay_10;
+      end if;
+      if (forward_above_step_11 - forward_above_stay_11) < 0 then
+        forward_above_write_words_1_choice_2 := forward_above_step_11;
+      else
+        forward_above_write_words_1_choice_2 := forward_above_stay_11;
+      end if;
+      if (forward_above_step_9 - forward_above_stay_9) < 0 then
+        forward_above_write_words_1_choice_3 := forward_above_step_9;
+      else
+        forward_above_write_words_1_choice_3 := forward_above_stay_9;
+      end if;
+      if (forward_above_step_8 - forward_above_stay_8) < 0 then
+        forward_above_write_words_1_choice_4 := forward_above_step_8;
+      else
+        forward_above_write_words_1_choice_4 := forward_above_stay_8;
+      end if;
+      if (forward_above_step_6 - forward_above_stay_6) < 0 then
+        forward_above_write_words_1_choice_5 := forward_above_step_6;
+      else
+        forward_above_write_words_1_choice_5 := forward_above_stay_6;
+      end if;
+      if (forward_above_step_7 - forward_above_stay_7) < 0 then
+        forward_above_write_words_1_choice_6 := forward_above_step_7;
+      else
+        forward_above_write_words_1_choice_6 := forward_above_stay_7;
+      end if;
       if forward_above_writes_copy_0 then
         forward_above_write_words_0 <= ((((((((((to_unsigned(forward_above_write_words_0_choice, 12) & to_unsigned(0,
           20)) or (to_unsigned(forward_above_write_words_0_choice_2, 7) & to_unsigned(0, 25)))) or
@@ -1412,18 +2003,36 @@ begin
         forward_above_write_column <= forward_above_column_9;
       end if;
       -- sums
-      sums_right_pair_0_choice := sums_right_cost_2 when (sums_right_cost_2 - sums_right_cost_0) < 0 else
-        sums_right_cost_0;
-      sums_right_pair_1_choice := sums_right_cost_3 when (sums_right_cost_3 - sums_right_cost_1) < 0 else
-        sums_right_cost_1;
-      sums_right_pair_2_choice := sums_right_cost_6 when (sums_right_cost_6 - sums_right_cost_4) < 0 else
-        sums_right_cost_4;
-      sums_right_pair_3_choice := sums_right_cost_7 when (sums_right_cost_7 - sums_right_cost_5) < 0 else
-        sums_right_cost_5;
-      sums_right_pair_4_choice := sums_right_cost_10 when (sums_right_cost_10 - sums_right_cost_8) < 0 else
-        sums_right_cost_8;
-      sums_right_pair_5_choice := sums_right_cost_11 when (sums_right_cost_11 - sums_right_cost_9) < 0 else
-        sums_right_cost_9;
+      if (sums_right_cost_2 - sums_right_cost_0) < 0 then
+        sums_right_pair_0_choice := sums_right_cost_2;
+      else
+        sums_right_pair_0_choice := sums_right_cost_0;
+      end if;
+      if (sums_right_cost_3 - sums_right_cost_1) < 0 then
+        sums_right_pair_1_choice := sums_right_cost_3;
+      else
+        sums_right_pair_1_choice := sums_right_cost_1;
+      end if;
+      if (sums_right_cost_6 - sums_right_cost_4) < 0 then
+        sums_right_pair_2_choice := sums_right_cost_6;
+      else
+        sums_right_pair_2_choice := sums_right_cost_4;
+      end if;
+      if (sums_right_cost_7 - sums_right_cost_5) < 0 then
+        sums_right_pair_3_choice := sums_right_cost_7;
+      else
+        sums_right_pair_3_choice := sums_right_cost_5;
+      end if;
+      if (sums_right_cost_10 - sums_right_cost_8) < 0 then
+        sums_right_pair_4_choice := sums_right_cost_10;
+      else
+        sums_right_pair_4_choice := sums_right_cost_8;
+      end if;
+      if (sums_right_cost_11 - sums_right_cost_9) < 0 then
+        sums_right_pair_5_choice := sums_right_cost_11;
+      else
+        sums_right_pair_5_choice := sums_right_cost_9;
+      end if;
       sums_right_start_cost_0_value := (((sums_right_tree_next_next_smallest_0 mod 32) + sums_right_room) / 32) = 1;
       if sums_right_start_cost_0_value then
         sums_right_start_cost_0_choice := (((as_number(sums_right_start_cost_0_value) + 7) mod 8) * 32) +
@@ -1441,75 +2050,211 @@ begin
       else
         sums_right_room_choice := sums_right_room;
       end if;
-      sums_right_room_choice_2 := 0 when (sums_right_tree_next_next_smallest_0 / 32) = 1 else sums_right_room_choice;
-      sums_right_cost_0_choice := sums_right_arrived_0 when (sums_right_arrived_0 - sums_right_cost_0) < 0 else
-        sums_right_cost_0;
-      sums_right_cost_0_choice_2 := 32 when ((sums_right_cost_0_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_0_choice;
-      sums_right_cost_1_choice := sums_right_arrived_1 when (sums_right_arrived_1 - sums_right_cost_1) < 0 else
-        sums_right_cost_1;
-      sums_right_cost_1_choice_2 := 32 when ((sums_right_cost_1_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_1_choice;
-      sums_right_cost_2_choice := sums_right_arrived_2 when (sums_right_arrived_2 - sums_right_cost_2) < 0 else
-        sums_right_cost_2;
-      sums_right_cost_2_choice_2 := 32 when ((sums_right_cost_2_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_2_choice;
-      sums_right_cost_3_choice := sums_right_arrived_3 when (sums_right_arrived_3 - sums_right_cost_3) < 0 else
-        sums_right_cost_3;
-      sums_right_cost_3_choice_2 := 32 when ((sums_right_cost_3_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_3_choice;
-      sums_right_cost_4_choice := sums_right_arrived_4 when (sums_right_arrived_4 - sums_right_cost_4) < 0 else
-        sums_right_cost_4;
-      sums_right_cost_4_choice_2 := 32 when ((sums_right_cost_4_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_4_choice;
-      sums_right_cost_5_choice := sums_right_arrived_5 when (sums_right_arrived_5 - sums_right_cost_5) < 0 else
-        sums_right_cost_5;
-      sums_right_cost_5_choice_2 := 32 when ((sums_right_cost_5_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_5_choice;
-      sums_right_cost_6_choice := sums_right_arrived_6 when (sums_right_arrived_6 - sums_right_cost_6) < 0 else
-        sums_right_cost_6;
-      sums_right_cost_6_choice_2 := 32 when ((sums_right_cost_6_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_6_choice;
-      sums_right_cost_7_choice := sums_right_arrived_7 when (sums_right_arrived_7 - sums_right_cost_7) < 0 else
-        sums_right_cost_7;
-      sums_right_cost_7_choice_2 := 32 when ((sums_right_cost_7_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_7_choice;
-      sums_right_cost_8_choice := sums_right_arrived_8 when (sums_right_arrived_8 - sums_right_cost_8) < 0 else
-        sums_right_cost_8;
-      sums_right_cost_8_choice_2 := 32 when ((sums_right_cost_8_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_8_choice;
-      sums_right_cost_9_choice := sums_right_arrived_9 when (sums_right_arrived_9 - sums_right_cost_9) < 0 else
-        sums_right_cost_9;
-      sums_right_cost_9_choice_2 := 32 when ((sums_right_cost_9_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_9_choice;
-      sums_right_cost_10_choice := sums_right_arrived_10 when (sums_right_arrived_10 - sums_right_cost_10) < 0 else
-        sums_right_cost_10;
-      sums_right_cost_10_choice_2 := 32 when ((sums_right_cost_10_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_10_choice;
-      sums_right_cost_11_choice := sums_right_arrived_11 when (sums_right_arrived_11 - sums_right_cost_11) < 0 else
-        sums_right_cost_11;
-      sums_right_cost_11_choice_2 := 32 when ((sums_right_cost_11_choice / 32) = 1) or forward_first_3 else
-        sums_right_cost_11_choice;
-      sums_right_arrived_0_choice := 32 when forward_first_3 else sums_right_cost_1;
-      sums_right_arrived_1_choice := 32 when forward_first_3 else sums_right_pair_0_choice;
-      sums_right_arrived_2_choice := 32 when forward_first_3 else sums_right_pair_1_choice;
-      sums_right_arrived_3_choice := sums_right_cost_4 when (sums_right_cost_4 - sums_right_cost_2) < 0 else
-        sums_right_cost_2;
-      sums_right_arrived_3_choice_2 := 32 when forward_first_3 else sums_right_arrived_3_choice;
-      sums_right_arrived_4_choice := sums_right_cost_5 when (sums_right_cost_5 - sums_right_cost_3) < 0 else
-        sums_right_cost_3;
-      sums_right_arrived_4_choice_2 := 32 when forward_first_3 else sums_right_arrived_4_choice;
-      sums_right_arrived_5_choice := 32 when forward_first_3 else sums_right_pair_2_choice;
-      sums_right_arrived_6_choice := 32 when forward_first_3 else sums_right_pair_3_choice;
-      sums_right_arrived_7_choice := sums_right_cost_8 when (sums_right_cost_8 - sums_right_cost_6) < 0 else
-        sums_right_cost_6;
-      sums_right_arrived_7_choice_2 := 32 when forward_first_3 else sums_right_arrived_7_choice;
-      sums_right_arrived_8_choice := sums_right_cost_9 when (sums_right_cost_9 - sums_right_cost_7) < 0 else
-        sums_right_cost_7;
-      sums_right_arrived_8_choice_2 := 32 when forward_first_3 else sums_right_arrived_8_choice;
-      sums_right_arrived_9_choice := 32 when forward_first_3 else sums_right_pair_4_choice;
-      sums_right_arrived_10_choice := 32 when forward_first_3 else sums_right_pair_5_choice;
-      sums_right_arrived_11_choice := 32 when forward_first_3 else sums_right_cost_10;
+      if (sums_right_tree_next_next_smallest_0 / 32) = 1 then
+        sums_right_room_choice_2 := 0;
+      else
+        sums_right_room_choice_2 := sums_right_room_choice;
+      end if;
+      if (sums_right_arrived_0 - sums_right_cost_0) < 0 then
+        sums_right_cost_0_choice := sums_right_arrived_0;
+      else
+        sums_right_cost_0_choice := sums_right_cost_0;
+      end if;
+      if ((sums_right_cost_0_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_0_choice_2 := 32;
+      else
+        sums_right_cost_0_choice_2 := sums_right_cost_0_choice;
+      end if;
+      if (sums_right_arrived_1 - sums_right_cost_1) < 0 then
+        sums_right_cost_1_choice := sums_right_arrived_1;
+      else
+        sums_right_cost_1_choice := sums_right_cost_1;
+      end if;
+      if ((sums_right_cost_1_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_1_choice_2 := 32;
+      else
+        sums_right_cost_1_choice_2 := sums_right_cost_1_choice;
+      end if;
+      if (sums_right_arrived_2 - sums_right_cost_2) < 0 then
+        sums_right_cost_2_choice := sums_right_arrived_2;
+      else
+        sums_right_cost_2_choice := sums_right_cost_2;
+      end if;
+      if ((sums_right_cost_2_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_2_choice_2 := 32;
+      else
+        sums_right_cost_2_choice_2 := sums_right_cost_2_choice;
+      end if;
+      if (sums_right_arrived_3 - sums_right_cost_3) < 0 then
+        sums_right_cost_3_choice := sums_right_arrived_3;
+      else
+        sums_right_cost_3_choice := sums_right_cost_3;
+      end if;
+      if ((sums_right_cost_3_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_3_choice_2 := 32;
+      else
+        sums_right_cost_3_choice_2 := sums_right_cost_3_choice;
+      end if;
+      if (sums_right_arrived_4 - sums_right_cost_4) < 0 then
+        sums_right_cost_4_choice := sums_right_arrived_4;
+      else
+        sums_right_cost_4_choice := sums_right_cost_4;
+      end if;
+      if ((sums_right_cost_4_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_4_choice_2 := 32;
+      else
+        sums_right_cost_4_choice_2 := sums_right_cost_4_choice;
+      end if;
+      if (sums_right_arrived_5 - sums_right_cost_5) < 0 then
+        sums_right_cost_5_choice := sums_right_arrived_5;
+      else
+        sums_right_cost_5_choice := sums_right_cost_5;
+      end if;
+      if ((sums_right_cost_5_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_5_choice_2 := 32;
+      else
+        sums_right_cost_5_choice_2 := sums_right_cost_5_choice;
+      end if;
+      if (sums_right_arrived_6 - sums_right_cost_6) < 0 then
+        sums_right_cost_6_choice := sums_right_arrived_6;
+      else
+        sums_right_cost_6_choice := sums_right_cost_6;
+      end if;
+      if ((sums_right_cost_6_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_6_choice_2 := 32;
+      else
+        sums_right_cost_6_choice_2 := sums_right_cost_6_choice;
+      end if;
+      if (sums_right_arrived_7 - sums_right_cost_7) < 0 then
+        sums_right_cost_7_choice := sums_right_arrived_7;
+      else
+        sums_right_cost_7_choice := sums_right_cost_7;
+      end if;
+      if ((sums_right_cost_7_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_7_choice_2 := 32;
+      else
+        sums_right_cost_7_choice_2 := sums_right_cost_7_choice;
+      end if;
+      if (sums_right_arrived_8 - sums_right_cost_8) < 0 then
+        sums_right_cost_8_choice := sums_right_arrived_8;
+      else
+        sums_right_cost_8_choice := sums_right_cost_8;
+      end if;
+      if ((sums_right_cost_8_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_8_choice_2 := 32;
+      else
+        sums_right_cost_8_choice_2 := sums_right_cost_8_choice;
+      end if;
+      if (sums_right_arrived_9 - sums_right_cost_9) < 0 then
+        sums_right_cost_9_choice := sums_right_arrived_9;
+      else
+        sums_right_cost_9_choice := sums_right_cost_9;
+      end if;
+      if ((sums_right_cost_9_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_9_choice_2 := 32;
+      else
+        sums_right_cost_9_choice_2 := sums_right_cost_9_choice;
+      end if;
+      if (sums_right_arrived_10 - sums_right_cost_10) < 0 then
+        sums_right_cost_10_choice := sums_right_arrived_10;
+      else
+        sums_right_cost_10_choice := sums_right_cost_10;
+      end if;
+      if ((sums_right_cost_10_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_10_choice_2 := 32;
+      else
+        sums_right_cost_10_choice_2 := sums_right_cost_10_choice;
+      end if;
+      if (sums_right_arrived_11 - sums_right_cost_11) < 0 then
+        sums_right_cost_11_choice := sums_right_arrived_11;
+      else
+        sums_right_cost_11_choice := sums_right_cost_11;
+      end if;
+      if ((sums_right_cost_11_choice / 32) = 1) or forward_first_3 then
+        sums_right_cost_11_choice_2 := 32;
+      else
+        sums_right_cost_11_choice_2 := sums_right_cost_11_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_0_choice := 32;
+      else
+        sums_right_arrived_0_choice := sums_right_cost_1;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_1_choice := 32;
+      else
+        sums_right_arrived_1_choice := sums_right_pair_0_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_2_choice := 32;
+      else
+        sums_right_arrived_2_choice := sums_right_pair_1_choice;
+      end if;
+      if (sums_right_cost_4 - sums_right_cost_2) < 0 then
+        sums_right_arrived_3_choice := sums_right_cost_4;
+      else
+        sums_right_arrived_3_choice := sums_right_cost_2;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_3_choice_2 := 32;
+      else
+        sums_right_arrived_3_choice_2 := sums_right_arrived_3_choice;
+      end if;
+      if (sums_right_cost_5 - sums_right_cost_3) < 0 then
+        sums_right_arrived_4_choice := sums_right_cost_5;
+      else
+        sums_right_arrived_4_choice := sums_right_cost_3;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_4_choice_2 := 32;
+      else
+        sums_right_arrived_4_choice_2 := sums_right_arrived_4_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_5_choice := 32;
+      else
+        sums_right_arrived_5_choice := sums_right_pair_2_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_6_choice := 32;
+      else
+        sums_right_arrived_6_choice := sums_right_pair_3_choice;
+      end if;
+      if (sums_right_cost_8 - sums_right_cost_6) < 0 then
+        sums_right_arrived_7_choice := sums_right_cost_8;
+      else
+        sums_right_arrived_7_choice := sums_right_cost_6;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_7_choice_2 := 32;
+      else
+        sums_right_arrived_7_choice_2 := sums_right_arrived_7_choice;
+      end if;
+      if (sums_right_cost_9 - sums_right_cost_7) < 0 then
+        sums_right_arrived_8_choice := sums_right_cost_9;
+      else
+        sums_right_arrived_8_choice := sums_right_cost_7;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_8_choice_2 := 32;
+      else
+        sums_right_arrived_8_choice_2 := sums_right_arrived_8_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_9_choice := 32;
+      else
+        sums_right_arrived_9_choice := sums_right_pair_4_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_10_choice := 32;
+      else
+        sums_right_arrived_10_choice := sums_right_pair_5_choice;
+      end if;
+      if forward_first_3 then
+        sums_right_arrived_11_choice := 32;
+      else
+        sums_right_arrived_11_choice := sums_right_cost_10;
+      end if;
       if entry_tag_valid then
         sums_turn_ready_sums_0 <= to_integer(sums_turn_read_sums_0);
         sums_turn_ready_sums_1 <= to_integer(sums_turn_read_sums_1);
@@ -1557,25 +2302,7 @@ begin
         sums_right_pair_3 <= sums_right_pair_3_choice;
         sums_right_pair_4 <= sums_right_pair_4_choice;
         sums_right_pair_5 <= sums_right_pair_5_choice;
-        sums_right_tree_smallest_0 <= sums_right_pair_1 when (sums_right_pair_1 - sums_right_pair_0) < 0 else
-          sums_right_pair_0;
-        sums_right_tree_smallest_1 <= sums_right_pair_3 when (sums_right_pair_3 - sums_right_pair_2) < 0 else
-          sums_right_pair_2;
-        sums_right_tree_smallest_2 <= sums_right_pair_5 when (sums_right_pair_5 - sums_right_pair_4) < 0 else
-          sums_right_pair_4;
-        sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1 when (sums_right_tree_smallest_1 -
-          sums_right_tree_smallest_0) < 0 else sums_right_tree_smallest_0;
         sums_right_tree_next_smallest_1 <= sums_right_tree_smallest_2;
-        sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1 when (sums_right_tree_next_smallest_1 -
-          sums_right_tree_next_smallest_0) < 0 else sums_right_tree_next_smallest_0;
-        sums_right_start_cost_0 <= 22 when forward_first_0 else sums_right_start_cost_0_choice_2;
-        sums_right_start_cost_1 <= 0 when forward_first_0 else sums_right_start_cost_0;
-        sums_right_start_cost_2 <= 0 when forward_first_0 else sums_right_start_cost_1;
-        sums_right_start_cost_3 <= 0 when forward_first_0 else sums_right_start_cost_2;
-        sums_right_start_cost_4 <= 0 when forward_first_0 else sums_right_start_cost_3;
-        sums_right_start_cost_5 <= 0 when forward_first_0 else sums_right_start_cost_4;
-        sums_right_start_cost_6 <= 0 when forward_first_0 else sums_right_start_cost_5;
-        sums_right_room <= 0 when forward_first_0 else (sums_right_room_choice_2 + sums_right_start_cost_6) mod 32;
         sums_right_smallest <= sums_turn_ready_smallest_0;
         sums_right_smallest_less <= (sums_turn_ready_smallest_0 + 59) mod 64;
         sums_right_first_0 <= sums_turn_ready_first;
@@ -1631,8 +2358,6 @@ begin
         sums_right_arrived_9 <= (sums_right_arrived_9_choice + sums_right_step_change_9) mod 64;
         sums_right_arrived_10 <= (sums_right_arrived_10_choice + sums_right_step_change_10) mod 64;
         sums_right_arrived_11 <= (sums_right_arrived_11_choice + sums_right_step_change_11) mod 64;
-        sums_sum_delay_ring_read_address <= 0 when sums_sum_delay_ring_read_address = 3 else
-          (sums_sum_delay_ring_read_address + 1) mod 4;
         sums_sum_delay_ring_write_address <= sums_sum_delay_ring_read_address;
         sums_tags_held_0_output_column <= entry_turned_output_column;
         sums_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
@@ -1649,8 +2374,61 @@ begin
         sums_tags_held_4_output_column <= sums_tags_held_3_output_column;
         sums_tags_held_4_start_of_frame <= sums_tags_held_3_start_of_frame;
         sums_tags_held_4_end_of_line <= sums_tags_held_3_end_of_line;
+        if (sums_right_pair_1 - sums_right_pair_0) < 0 then
+          sums_right_tree_smallest_0 <= sums_right_pair_1;
+        else
+          sums_right_tree_smallest_0 <= sums_right_pair_0;
+        end if;
+        if (sums_right_pair_3 - sums_right_pair_2) < 0 then
+          sums_right_tree_smallest_1 <= sums_right_pair_3;
+        else
+          sums_right_tree_smallest_1 <= sums_right_pair_2;
+        end if;
+        if (sums_right_pair_5 - sums_right_pair_4) < 0 then
+          sums_right_tree_smallest_2 <= sums_right_pair_5;
+        else
+          sums_right_tree_smallest_2 <= sums_right_pair_4;
+        end if;
+        if (sums_right_tree_smallest_1 - sums_right_tree_smallest_0) < 0 then
+          sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_1;
+        else
+          sums_right_tree_next_smallest_0 <= sums_right_tree_smallest_0;
+        end if;
+        if (sums_right_tree_next_smallest_1 - sums_right_tree_next_smallest_0) < 0 then
+          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_1;
+        else
+          sums_right_tree_next_next_smallest_0 <= sums_right_tree_next_smallest_0;
+        end if;
+        if forward_first_0 then
+          sums_right_start_cost_0 <= 22;
+          sums_right_start_cost_1 <= 0;
+          sums_right_start_cost_2 <= 0;
+          sums_right_start_cost_3 <= 0;
+          sums_right_start_cost_4 <= 0;
+          sums_right_start_cost_5 <= 0;
+          sums_right_start_cost_6 <= 0;
+          sums_right_room <= 0;
+        else
+          sums_right_start_cost_0 <= sums_right_start_cost_0_choice_2;
+          sums_right_start_cost_1 <= sums_right_start_cost_0;
+          sums_right_start_cost_2 <= sums_right_start_cost_1;
+          sums_right_start_cost_3 <= sums_right_start_cost_2;
+          sums_right_start_cost_4 <= sums_right_start_cost_3;
+          sums_right_start_cost_5 <= sums_right_start_cost_4;
+          sums_right_start_cost_6 <= sums_right_start_cost_5;
+          sums_right_room <= (sums_right_room_choice_2 + sums_right_start_cost_6) mod 32;
+        end if;
+        if sums_sum_delay_ring_read_address = 3 then
+          sums_sum_delay_ring_read_address <= 0;
+        else
+          sums_sum_delay_ring_read_address <= (sums_sum_delay_ring_read_address + 1) mod 4;
+        end if;
       end if;
-      sums_turn_writes_copy_0_choice := forward_above_comes_7 when entry_tag_valid else forward_above_comes_8;
+      if entry_tag_valid then
+        sums_turn_writes_copy_0_choice := forward_above_comes_7;
+      else
+        sums_turn_writes_copy_0_choice := forward_above_comes_8;
+      end if;
       sums_turn_writes_copy_0 <= entry_next_tag_valid and sums_turn_writes_copy_0_choice;
       sums_sum_0_0 <= (sums_right_cost_0 + to_integer(sums_sum_delay_held_0)) mod 128;
       sums_sum_0_1 <= (sums_right_cost_1 + to_integer(sums_sum_delay_held_0(27 downto 7))) mod 128;
@@ -1686,308 +2464,505 @@ begin
         sums_turn_write_place <= sums_turn_place_8;
       end if;
       -- winnerswinner1
-      winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1))
-        when (sums_sum_0_0 mod 2) = 1 else not (((sums_sum_0_1 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice when ((sums_sum_0_0 / 2) mod 2) = 1 else
-        ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+      if (sums_sum_0_0 mod 2) = 1 then
+        winnerswinner1_of_pair_0_0_choice := (not (((sums_sum_0_1 / 2) mod 2) = 1)) or (not ((sums_sum_0_1 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_0_choice := not (((sums_sum_0_1 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_0 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_0_choice_2 := winnerswinner1_of_pair_0_0_choice;
+      else
+        winnerswinner1_of_pair_0_0_choice_2 := ((sums_sum_0_0 mod 2) = 1) and ((sums_sum_0_1 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_0_value := ((sums_sum_0_1 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_0_value when winnerswinner1_of_pair_0_0_choice_2 else (not (((sums_sum_0_0 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_0_value;
+      if winnerswinner1_of_pair_0_0_choice_2 then
+        winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value;
+      else
+        winnerswinner1_of_pair_0_0_choice_3 := (not (((sums_sum_0_0 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value;
+      end if;
       winnerswinner1_of_pair_0_0_value_2 := ((sums_sum_0_1 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_0_value_2 when winnerswinner1_of_pair_0_0_choice_3 else (not (((sums_sum_0_0 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_0_value_2;
+      if winnerswinner1_of_pair_0_0_choice_3 then
+        winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_2;
+      else
+        winnerswinner1_of_pair_0_0_choice_4 := (not (((sums_sum_0_0 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_2;
+      end if;
       winnerswinner1_of_pair_0_0_value_3 := ((sums_sum_0_1 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_0_value_3 when winnerswinner1_of_pair_0_0_choice_4 else (not (((sums_sum_0_0 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_0_value_3;
+      if winnerswinner1_of_pair_0_0_choice_4 then
+        winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_3;
+      else
+        winnerswinner1_of_pair_0_0_choice_5 := (not (((sums_sum_0_0 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_3;
+      end if;
       winnerswinner1_of_pair_0_0_value_4 := ((sums_sum_0_1 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_0_value_4 when winnerswinner1_of_pair_0_0_choice_5 else (not (((sums_sum_0_0 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_0_value_4;
-      winnerswinner1_of_pair_0_0_choice_7 := ((sums_sum_0_0 / 64) = 1) and (not ((sums_sum_0_1 / 64) = 1)) when
-        winnerswinner1_of_pair_0_0_choice_6 else ((sums_sum_0_0 / 64) = 1) or (not ((sums_sum_0_1 / 64) = 1));
-      winnerswinner1_of_pair_0_2_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1))
-        when (sums_sum_0_2 mod 2) = 1 else not (((sums_sum_0_3 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_2_choice_2 := winnerswinner1_of_pair_0_2_choice when ((sums_sum_0_2 / 2) mod 2) = 1 else
-        ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+      if winnerswinner1_of_pair_0_0_choice_5 then
+        winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_0_value_4;
+      else
+        winnerswinner1_of_pair_0_0_choice_6 := (not (((sums_sum_0_0 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_0_value_4;
+      end if;
+      if winnerswinner1_of_pair_0_0_choice_6 then
+        winnerswinner1_of_pair_0_0_choice_7 := ((sums_sum_0_0 / 64) = 1) and (not ((sums_sum_0_1 / 64) = 1));
+      else
+        winnerswinner1_of_pair_0_0_choice_7 := ((sums_sum_0_0 / 64) = 1) or (not ((sums_sum_0_1 / 64) = 1));
+      end if;
+      if (sums_sum_0_2 mod 2) = 1 then
+        winnerswinner1_of_pair_0_2_choice := (not (((sums_sum_0_3 / 2) mod 2) = 1)) or (not ((sums_sum_0_3 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_2_choice := not (((sums_sum_0_3 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_2 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_2_choice_2 := winnerswinner1_of_pair_0_2_choice;
+      else
+        winnerswinner1_of_pair_0_2_choice_2 := ((sums_sum_0_2 mod 2) = 1) and ((sums_sum_0_3 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_2_value := ((sums_sum_0_3 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_2_value when winnerswinner1_of_pair_0_2_choice_2 else (not (((sums_sum_0_2 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_2_value;
+      if winnerswinner1_of_pair_0_2_choice_2 then
+        winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value;
+      else
+        winnerswinner1_of_pair_0_2_choice_3 := (not (((sums_sum_0_2 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value;
+      end if;
       winnerswinner1_of_pair_0_2_value_2 := ((sums_sum_0_3 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_2_value_2 when winnerswinner1_of_pair_0_2_choice_3 else (not (((sums_sum_0_2 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_2_value_2;
+      if winnerswinner1_of_pair_0_2_choice_3 then
+        winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_2;
+      else
+        winnerswinner1_of_pair_0_2_choice_4 := (not (((sums_sum_0_2 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_2;
+      end if;
       winnerswinner1_of_pair_0_2_value_3 := ((sums_sum_0_3 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_2_value_3 when winnerswinner1_of_pair_0_2_choice_4 else (not (((sums_sum_0_2 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_2_value_3;
+      if winnerswinner1_of_pair_0_2_choice_4 then
+        winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_3;
+      else
+        winnerswinner1_of_pair_0_2_choice_5 := (not (((sums_sum_0_2 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_3;
+      end if;
       winnerswinner1_of_pair_0_2_value_4 := ((sums_sum_0_3 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_2_value_4 when winnerswinner1_of_pair_0_2_choice_5 else (not (((sums_sum_0_2 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_2_value_4;
-      winnerswinner1_of_pair_0_2_choice_7 := ((sums_sum_0_2 / 64) = 1) and (not ((sums_sum_0_3 / 64) = 1)) when
-        winnerswinner1_of_pair_0_2_choice_6 else ((sums_sum_0_2 / 64) = 1) or (not ((sums_sum_0_3 / 64) = 1));
-      winnerswinner1_of_pair_0_4_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1))
-        when (sums_sum_0_4 mod 2) = 1 else not (((sums_sum_0_5 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_4_choice_2 := winnerswinner1_of_pair_0_4_choice when ((sums_sum_0_4 / 2) mod 2) = 1 else
-        ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
+      if winnerswinner1_of_pair_0_2_choice_5 then
+        winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_2_value_4;
+      else
+        winnerswinner1_of_pair_0_2_choice_6 := (not (((sums_sum_0_2 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_2_value_4;
+      end if;
+      if winnerswinner1_of_pair_0_2_choice_6 then
+        winnerswinner1_of_pair_0_2_choice_7 := ((sums_sum_0_2 / 64) = 1) and (not ((sums_sum_0_3 / 64) = 1));
+      else
+        winnerswinner1_of_pair_0_2_choice_7 := ((sums_sum_0_2 / 64) = 1) or (not ((sums_sum_0_3 / 64) = 1));
+      end if;
+      if (sums_sum_0_4 mod 2) = 1 then
+        winnerswinner1_of_pair_0_4_choice := (not (((sums_sum_0_5 / 2) mod 2) = 1)) or (not ((sums_sum_0_5 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_4_choice := not (((sums_sum_0_5 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_4 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_4_choice_2 := winnerswinner1_of_pair_0_4_choice;
+      else
+        winnerswinner1_of_pair_0_4_choice_2 := ((sums_sum_0_4 mod 2) = 1) and ((sums_sum_0_5 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_4_value := ((sums_sum_0_5 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_4_value when winnerswinner1_of_pair_0_4_choice_2 else (not (((sums_sum_0_4 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_4_value;
+      if winnerswinner1_of_pair_0_4_choice_2 then
+        winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value;
+      else
+        winnerswinner1_of_pair_0_4_choice_3 := (not (((sums_sum_0_4 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value;
+      end if;
       winnerswinner1_of_pair_0_4_value_2 := ((sums_sum_0_5 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_4_value_2 when winnerswinner1_of_pair_0_4_choice_3 else (not (((sums_sum_0_4 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_4_value_2;
+      if winnerswinner1_of_pair_0_4_choice_3 then
+        winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_2;
+      else
+        winnerswinner1_of_pair_0_4_choice_4 := (not (((sums_sum_0_4 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_2;
+      end if;
       winnerswinner1_of_pair_0_4_value_3 := ((sums_sum_0_5 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_4_value_3 when winnerswinner1_of_pair_0_4_choice_4 else (not (((sums_sum_0_4 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_4_value_3;
+      if winnerswinner1_of_pair_0_4_choice_4 then
+        winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_3;
+      else
+        winnerswinner1_of_pair_0_4_choice_5 := (not (((sums_sum_0_4 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_3;
+      end if;
       winnerswinner1_of_pair_0_4_value_4 := ((sums_sum_0_5 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_4_value_4 when winnerswinner1_of_pair_0_4_choice_5 else (not (((sums_sum_0_4 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_4_value_4;
-      winnerswinner1_of_pair_0_4_choice_7 := ((sums_sum_0_4 / 64) = 1) and (not ((sums_sum_0_5 / 64) = 1)) when
-        winnerswinner1_of_pair_0_4_choice_6 else ((sums_sum_0_4 / 64) = 1) or (not ((sums_sum_0_5 / 64) = 1));
-      winnerswinner1_of_pair_0_6_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1))
-        when (sums_sum_0_6 mod 2) = 1 else not (((sums_sum_0_7 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_6_choice_2 := winnerswinner1_of_pair_0_6_choice when ((sums_sum_0_6 / 2) mod 2) = 1 else
-        ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
+      if winnerswinner1_of_pair_0_4_choice_5 then
+        winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_4_value_4;
+      else
+        winnerswinner1_of_pair_0_4_choice_6 := (not (((sums_sum_0_4 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_4_value_4;
+      end if;
+      if winnerswinner1_of_pair_0_4_choice_6 then
+        winnerswinner1_of_pair_0_4_choice_7 := ((sums_sum_0_4 / 64) = 1) and (not ((sums_sum_0_5 / 64) = 1));
+      else
+        winnerswinner1_of_pair_0_4_choice_7 := ((sums_sum_0_4 / 64) = 1) or (not ((sums_sum_0_5 / 64) = 1));
+      end if;
+      if (sums_sum_0_6 mod 2) = 1 then
+        winnerswinner1_of_pair_0_6_choice := (not (((sums_sum_0_7 / 2) mod 2) = 1)) or (not ((sums_sum_0_7 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_6_choice := not (((sums_sum_0_7 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_6 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_6_choice_2 := winnerswinner1_of_pair_0_6_choice;
+      else
+        winnerswinner1_of_pair_0_6_choice_2 := ((sums_sum_0_6 mod 2) = 1) and ((sums_sum_0_7 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_6_value := ((sums_sum_0_7 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_6_value when winnerswinner1_of_pair_0_6_choice_2 else (not (((sums_sum_0_6 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_6_value;
+      if winnerswinner1_of_pair_0_6_choice_2 then
+        winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value;
+      else
+        winnerswinner1_of_pair_0_6_choice_3 := (not (((sums_sum_0_6 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value;
+      end if;
       winnerswinner1_of_pair_0_6_value_2 := ((sums_sum_0_7 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_6_value_2 when winnerswinner1_of_pair_0_6_choice_3 else (not (((sums_sum_0_6 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_6_value_2;
+      if winnerswinner1_of_pair_0_6_choice_3 then
+        winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_2;
+      else
+        winnerswinner1_of_pair_0_6_choice_4 := (not (((sums_sum_0_6 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_2;
+      end if;
       winnerswinner1_of_pair_0_6_value_3 := ((sums_sum_0_7 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_6_value_3 when winnerswinner1_of_pair_0_6_choice_4 else (not (((sums_sum_0_6 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_6_value_3;
+      if winnerswinner1_of_pair_0_6_choice_4 then
+        winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_3;
+      else
+        winnerswinner1_of_pair_0_6_choice_5 := (not (((sums_sum_0_6 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_3;
+      end if;
       winnerswinner1_of_pair_0_6_value_4 := ((sums_sum_0_7 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_6_value_4 when winnerswinner1_of_pair_0_6_choice_5 else (not (((sums_sum_0_6 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_6_value_4;
-      winnerswinner1_of_pair_0_6_choice_7 := ((sums_sum_0_6 / 64) = 1) and (not ((sums_sum_0_7 / 64) = 1)) when
-        winnerswinner1_of_pair_0_6_choice_6 else ((sums_sum_0_6 / 64) = 1) or (not ((sums_sum_0_7 / 64) = 1));
-      winnerswinner1_of_pair_0_8_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1))
-        when (sums_sum_0_8 mod 2) = 1 else not (((sums_sum_0_9 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_8_choice_2 := winnerswinner1_of_pair_0_8_choice when ((sums_sum_0_8 / 2) mod 2) = 1 else
-        ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
+      if winnerswinner1_of_pair_0_6_choice_5 then
+        winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_6_value_4;
+      else
+        winnerswinner1_of_pair_0_6_choice_6 := (not (((sums_sum_0_6 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_6_value_4;
+      end if;
+      if winnerswinner1_of_pair_0_6_choice_6 then
+        winnerswinner1_of_pair_0_6_choice_7 := ((sums_sum_0_6 / 64) = 1) and (not ((sums_sum_0_7 / 64) = 1));
+      else
+        winnerswinner1_of_pair_0_6_choice_7 := ((sums_sum_0_6 / 64) = 1) or (not ((sums_sum_0_7 / 64) = 1));
+      end if;
+      if (sums_sum_0_8 mod 2) = 1 then
+        winnerswinner1_of_pair_0_8_choice := (not (((sums_sum_0_9 / 2) mod 2) = 1)) or (not ((sums_sum_0_9 mod 2) = 1));
+      else
+        winnerswinner1_of_pair_0_8_choice := not (((sums_sum_0_9 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_8 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_8_choice_2 := winnerswinner1_of_pair_0_8_choice;
+      else
+        winnerswinner1_of_pair_0_8_choice_2 := ((sums_sum_0_8 mod 2) = 1) and ((sums_sum_0_9 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_8_value := ((sums_sum_0_9 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_8_value when winnerswinner1_of_pair_0_8_choice_2 else (not (((sums_sum_0_8 / 4) mod 2)
-        = 1)) or winnerswinner1_of_pair_0_8_value;
+      if winnerswinner1_of_pair_0_8_choice_2 then
+        winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value;
+      else
+        winnerswinner1_of_pair_0_8_choice_3 := (not (((sums_sum_0_8 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value;
+      end if;
       winnerswinner1_of_pair_0_8_value_2 := ((sums_sum_0_9 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_8_value_2 when winnerswinner1_of_pair_0_8_choice_3 else (not (((sums_sum_0_8 / 8) mod
-        2) = 1)) and winnerswinner1_of_pair_0_8_value_2;
+      if winnerswinner1_of_pair_0_8_choice_3 then
+        winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value_2;
+      else
+        winnerswinner1_of_pair_0_8_choice_4 := (not (((sums_sum_0_8 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value_2;
+      end if;
       winnerswinner1_of_pair_0_8_value_3 := ((sums_sum_0_9 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_8_value_3 when winnerswinner1_of_pair_0_8_choice_4 else (not (((sums_sum_0_8 / 16) mod
-        2) = 1)) and winnerswinner1_of_pair_0_8_value_3;
+      if winnerswinner1_of_pair_0_8_choice_4 then
+        winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value_3;
+      else
+        winnerswinner1_of_pair_0_8_choice_5 := (not (((sums_sum_0_8 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value_3;
+      end if;
       winnerswinner1_of_pair_0_8_value_4 := ((sums_sum_0_9 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_8_value_4 when winnerswinner1_of_pair_0_8_choice_5 else (not (((sums_sum_0_8 / 32) mod
-        2) = 1)) and winnerswinner1_of_pair_0_8_value_4;
-      winnerswinner1_of_pair_0_8_choice_7 := ((sums_sum_0_8 / 64) = 1) and (not ((sums_sum_0_9 / 64) = 1)) when
-        winnerswinner1_of_pair_0_8_choice_6 else ((sums_sum_0_8 / 64) = 1) or (not ((sums_sum_0_9 / 64) = 1));
-      winnerswinner1_of_pair_0_10_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
-        1)) when (sums_sum_0_10 mod 2) = 1 else not (((sums_sum_0_11 / 2) mod 2) = 1);
-      winnerswinner1_of_pair_0_10_choice_2 := winnerswinner1_of_pair_0_10_choice when ((sums_sum_0_10 / 2) mod 2) = 1
-        else ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
+      if winnerswinner1_of_pair_0_8_choice_5 then
+        winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_8_value_4;
+      else
+        winnerswinner1_of_pair_0_8_choice_6 := (not (((sums_sum_0_8 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_8_value_4;
+      end if;
+      if winnerswinner1_of_pair_0_8_choice_6 then
+        winnerswinner1_of_pair_0_8_choice_7 := ((sums_sum_0_8 / 64) = 1) and (not ((sums_sum_0_9 / 64) = 1));
+      else
+        winnerswinner1_of_pair_0_8_choice_7 := ((sums_sum_0_8 / 64) = 1) or (not ((sums_sum_0_9 / 64) = 1));
+      end if;
+      if (sums_sum_0_10 mod 2) = 1 then
+        winnerswinner1_of_pair_0_10_choice := (not (((sums_sum_0_11 / 2) mod 2) = 1)) or (not ((sums_sum_0_11 mod 2) =
+          1));
+      else
+        winnerswinner1_of_pair_0_10_choice := not (((sums_sum_0_11 / 2) mod 2) = 1);
+      end if;
+      if ((sums_sum_0_10 / 2) mod 2) = 1 then
+        winnerswinner1_of_pair_0_10_choice_2 := winnerswinner1_of_pair_0_10_choice;
+      else
+        winnerswinner1_of_pair_0_10_choice_2 := ((sums_sum_0_10 mod 2) = 1) and ((sums_sum_0_11 mod 4) = 0);
+      end if;
       winnerswinner1_of_pair_0_10_value := ((sums_sum_0_11 / 4) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
-        winnerswinner1_of_pair_0_10_value when winnerswinner1_of_pair_0_10_choice_2 else (not (((sums_sum_0_10 / 4) mod
-        2) = 1)) or winnerswinner1_of_pair_0_10_value;
+      if winnerswinner1_of_pair_0_10_choice_2 then
+        winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value;
+      else
+        winnerswinner1_of_pair_0_10_choice_3 := (not (((sums_sum_0_10 / 4) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value;
+      end if;
       winnerswinner1_of_pair_0_10_value_2 := ((sums_sum_0_11 / 8) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_10_value_2 when winnerswinner1_of_pair_0_10_choice_3 else (not (((sums_sum_0_10 / 8)
-        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_2;
+      if winnerswinner1_of_pair_0_10_choice_3 then
+        winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value_2;
+      else
+        winnerswinner1_of_pair_0_10_choice_4 := (not (((sums_sum_0_10 / 8) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value_2;
+      end if;
       winnerswinner1_of_pair_0_10_value_3 := ((sums_sum_0_11 / 16) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_10_value_3 when winnerswinner1_of_pair_0_10_choice_4 else (not (((sums_sum_0_10 / 16)
-        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_3;
+      if winnerswinner1_of_pair_0_10_choice_4 then
+        winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value_3;
+      else
+        winnerswinner1_of_pair_0_10_choice_5 := (not (((sums_sum_0_10 / 16) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value_3;
+      end if;
       winnerswinner1_of_pair_0_10_value_4 := ((sums_sum_0_11 / 32) mod 2) = 1;
-      winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
-        winnerswinner1_of_pair_0_10_value_4 when winnerswinner1_of_pair_0_10_choice_5 else (not (((sums_sum_0_10 / 32)
-        mod 2) = 1)) and winnerswinner1_of_pair_0_10_value_4;
-      winnerswinner1_of_pair_0_10_choice_7 := ((sums_sum_0_10 / 64) = 1) and (not ((sums_sum_0_11 / 64) = 1)) when
-        winnerswinner1_of_pair_0_10_choice_6 else ((sums_sum_0_10 / 64) = 1) or (not ((sums_sum_0_11 / 64) = 1));
-      winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_2 mod 2) = 1)) when (winnerswinner1_of_pair_0_1 mod 2) = 1 else
-        ((winnerswinner1_of_pair_0_0 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      if winnerswinner1_of_pair_0_10_choice_5 then
+        winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) or
+          winnerswinner1_of_pair_0_10_value_4;
+      else
+        winnerswinner1_of_pair_0_10_choice_6 := (not (((sums_sum_0_10 / 32) mod 2) = 1)) and
+          winnerswinner1_of_pair_0_10_value_4;
+      end if;
+      if winnerswinner1_of_pair_0_10_choice_6 then
+        winnerswinner1_of_pair_0_10_choice_7 := ((sums_sum_0_10 / 64) = 1) and (not ((sums_sum_0_11 / 64) = 1));
+      else
+        winnerswinner1_of_pair_0_10_choice_7 := ((sums_sum_0_10 / 64) = 1) or (not ((sums_sum_0_11 / 64) = 1));
+      end if;
+      if (winnerswinner1_of_pair_0_1 mod 2) = 1 then
+        winnerswinner1_of_four_0_0_choice := (not ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not
+          ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      else
+        winnerswinner1_of_four_0_0_choice := ((winnerswinner1_of_pair_0_0 mod 2) = 1) and (not
+          ((winnerswinner1_of_pair_0_3 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_2 mod 2) = 1));
+      end if;
       winnerswinner1_of_four_0_0_value := ((winnerswinner1_of_pair_0_1 / 2) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_2 := ((winnerswinner1_of_pair_0_0 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value or
-        winnerswinner1_of_four_0_0_value_2 when (not (((winnerswinner1_of_pair_0_3 / 2) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_2 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_0_choice and
-        (winnerswinner1_of_four_0_0_value or winnerswinner1_of_four_0_0_value_2);
+      if (not (((winnerswinner1_of_pair_0_3 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_2 / 2) mod 2) = 1))
+        then
+        winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice or winnerswinner1_of_four_0_0_value or
+          winnerswinner1_of_four_0_0_value_2;
+      else
+        winnerswinner1_of_four_0_0_choice_2 := winnerswinner1_of_four_0_0_choice and (winnerswinner1_of_four_0_0_value
+          or winnerswinner1_of_four_0_0_value_2);
+      end if;
       winnerswinner1_of_four_0_0_value_3 := ((winnerswinner1_of_pair_0_3 / 4) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_4 := ((winnerswinner1_of_pair_0_2 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_3 := (not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_3 or
-        winnerswinner1_of_four_0_0_value_4) when winnerswinner1_of_four_0_0_choice_2 else ((not
-        (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1))) or
-        winnerswinner1_of_four_0_0_value_3 or winnerswinner1_of_four_0_0_value_4;
+      if winnerswinner1_of_four_0_0_choice_2 then
+        winnerswinner1_of_four_0_0_choice_3 := (not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_3 or
+          winnerswinner1_of_four_0_0_value_4);
+      else
+        winnerswinner1_of_four_0_0_choice_3 := ((not (((winnerswinner1_of_pair_0_1 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_3 or
+          winnerswinner1_of_four_0_0_value_4;
+      end if;
       winnerswinner1_of_four_0_0_value_5 := ((winnerswinner1_of_pair_0_3 / 8) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_6 := ((winnerswinner1_of_pair_0_2 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_4 := ((not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_5 or
-        winnerswinner1_of_four_0_0_value_6 when winnerswinner1_of_four_0_0_choice_3 else (not
-        (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_0_value_5 or winnerswinner1_of_four_0_0_value_6);
+      if winnerswinner1_of_four_0_0_choice_3 then
+        winnerswinner1_of_four_0_0_choice_4 := ((not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_5 or
+          winnerswinner1_of_four_0_0_value_6;
+      else
+        winnerswinner1_of_four_0_0_choice_4 := (not (((winnerswinner1_of_pair_0_1 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_5 or
+          winnerswinner1_of_four_0_0_value_6);
+      end if;
       winnerswinner1_of_four_0_0_value_7 := ((winnerswinner1_of_pair_0_3 / 16) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_8 := ((winnerswinner1_of_pair_0_2 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_5 := ((not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_7 or
-        winnerswinner1_of_four_0_0_value_8 when winnerswinner1_of_four_0_0_choice_4 else (not
-        (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_0_value_7 or winnerswinner1_of_four_0_0_value_8);
+      if winnerswinner1_of_four_0_0_choice_4 then
+        winnerswinner1_of_four_0_0_choice_5 := ((not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_7 or
+          winnerswinner1_of_four_0_0_value_8;
+      else
+        winnerswinner1_of_four_0_0_choice_5 := (not (((winnerswinner1_of_pair_0_1 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_7 or
+          winnerswinner1_of_four_0_0_value_8);
+      end if;
       winnerswinner1_of_four_0_0_value_9 := ((winnerswinner1_of_pair_0_3 / 32) mod 2) = 1;
       winnerswinner1_of_four_0_0_value_10 := ((winnerswinner1_of_pair_0_2 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_0_choice_6 := ((not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_9 or
-        winnerswinner1_of_four_0_0_value_10 when winnerswinner1_of_four_0_0_choice_5 else (not
-        (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_0_value_9 or winnerswinner1_of_four_0_0_value_10);
-      winnerswinner1_of_four_0_0_choice_7 := (not ((not ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not
-        ((winnerswinner1_of_pair_0_0 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not
-        ((winnerswinner1_of_pair_0_2 / 64) = 1)) when winnerswinner1_of_four_0_0_choice_6 else (not ((not
-        ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_0 / 64) = 1)))) or ((not
-        ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_2 / 64) = 1)));
-      winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_6 mod 2) = 1)) when (winnerswinner1_of_pair_0_5 mod 2) = 1 else
-        ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      if winnerswinner1_of_four_0_0_choice_5 then
+        winnerswinner1_of_four_0_0_choice_6 := ((not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_0_value_9 or
+          winnerswinner1_of_four_0_0_value_10;
+      else
+        winnerswinner1_of_four_0_0_choice_6 := (not (((winnerswinner1_of_pair_0_1 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_0 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_0_value_9 or
+          winnerswinner1_of_four_0_0_value_10);
+      end if;
+      if winnerswinner1_of_four_0_0_choice_6 then
+        winnerswinner1_of_four_0_0_choice_7 := (not ((not ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_0 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_2 / 64) = 1));
+      else
+        winnerswinner1_of_four_0_0_choice_7 := (not ((not ((winnerswinner1_of_pair_0_1 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_0 / 64) = 1)))) or ((not ((winnerswinner1_of_pair_0_3 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_2 / 64) = 1)));
+      end if;
+      if (winnerswinner1_of_pair_0_5 mod 2) = 1 then
+        winnerswinner1_of_four_0_4_choice := (not ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not
+          ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      else
+        winnerswinner1_of_four_0_4_choice := ((winnerswinner1_of_pair_0_4 mod 2) = 1) and (not
+          ((winnerswinner1_of_pair_0_7 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_6 mod 2) = 1));
+      end if;
       winnerswinner1_of_four_0_4_value := ((winnerswinner1_of_pair_0_5 / 2) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_2 := ((winnerswinner1_of_pair_0_4 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value or
-        winnerswinner1_of_four_0_4_value_2 when (not (((winnerswinner1_of_pair_0_7 / 2) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_6 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_4_choice and
-        (winnerswinner1_of_four_0_4_value or winnerswinner1_of_four_0_4_value_2);
+      if (not (((winnerswinner1_of_pair_0_7 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_6 / 2) mod 2) = 1))
+        then
+        winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice or winnerswinner1_of_four_0_4_value or
+          winnerswinner1_of_four_0_4_value_2;
+      else
+        winnerswinner1_of_four_0_4_choice_2 := winnerswinner1_of_four_0_4_choice and (winnerswinner1_of_four_0_4_value
+          or winnerswinner1_of_four_0_4_value_2);
+      end if;
       winnerswinner1_of_four_0_4_value_3 := ((winnerswinner1_of_pair_0_7 / 4) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_4 := ((winnerswinner1_of_pair_0_6 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_3 := (not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_3 or
-        winnerswinner1_of_four_0_4_value_4) when winnerswinner1_of_four_0_4_choice_2 else ((not
-        (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1))) or
-        winnerswinner1_of_four_0_4_value_3 or winnerswinner1_of_four_0_4_value_4;
+      if winnerswinner1_of_four_0_4_choice_2 then
+        winnerswinner1_of_four_0_4_choice_3 := (not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_3 or
+          winnerswinner1_of_four_0_4_value_4);
+      else
+        winnerswinner1_of_four_0_4_choice_3 := ((not (((winnerswinner1_of_pair_0_5 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_3 or
+          winnerswinner1_of_four_0_4_value_4;
+      end if;
       winnerswinner1_of_four_0_4_value_5 := ((winnerswinner1_of_pair_0_7 / 8) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_6 := ((winnerswinner1_of_pair_0_6 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_4 := ((not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_5 or
-        winnerswinner1_of_four_0_4_value_6 when winnerswinner1_of_four_0_4_choice_3 else (not
-        (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_4_value_5 or winnerswinner1_of_four_0_4_value_6);
+      if winnerswinner1_of_four_0_4_choice_3 then
+        winnerswinner1_of_four_0_4_choice_4 := ((not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_5 or
+          winnerswinner1_of_four_0_4_value_6;
+      else
+        winnerswinner1_of_four_0_4_choice_4 := (not (((winnerswinner1_of_pair_0_5 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_5 or
+          winnerswinner1_of_four_0_4_value_6);
+      end if;
       winnerswinner1_of_four_0_4_value_7 := ((winnerswinner1_of_pair_0_7 / 16) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_8 := ((winnerswinner1_of_pair_0_6 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_5 := ((not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_7 or
-        winnerswinner1_of_four_0_4_value_8 when winnerswinner1_of_four_0_4_choice_4 else (not
-        (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_4_value_7 or winnerswinner1_of_four_0_4_value_8);
+      if winnerswinner1_of_four_0_4_choice_4 then
+        winnerswinner1_of_four_0_4_choice_5 := ((not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_7 or
+          winnerswinner1_of_four_0_4_value_8;
+      else
+        winnerswinner1_of_four_0_4_choice_5 := (not (((winnerswinner1_of_pair_0_5 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_7 or
+          winnerswinner1_of_four_0_4_value_8);
+      end if;
       winnerswinner1_of_four_0_4_value_9 := ((winnerswinner1_of_pair_0_7 / 32) mod 2) = 1;
       winnerswinner1_of_four_0_4_value_10 := ((winnerswinner1_of_pair_0_6 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_4_choice_6 := ((not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_9 or
-        winnerswinner1_of_four_0_4_value_10 when winnerswinner1_of_four_0_4_choice_5 else (not
-        (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_4_value_9 or winnerswinner1_of_four_0_4_value_10);
-      winnerswinner1_of_four_0_4_choice_7 := (not ((not ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not
-        ((winnerswinner1_of_pair_0_4 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not
-        ((winnerswinner1_of_pair_0_6 / 64) = 1)) when winnerswinner1_of_four_0_4_choice_6 else (not ((not
-        ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_4 / 64) = 1)))) or ((not
-        ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_6 / 64) = 1)));
-      winnerswinner1_of_four_0_8_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 mod 2) = 1)) when (winnerswinner1_of_pair_0_9 mod 2) = 1 else
-        ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      if winnerswinner1_of_four_0_4_choice_5 then
+        winnerswinner1_of_four_0_4_choice_6 := ((not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_4_value_9 or
+          winnerswinner1_of_four_0_4_value_10;
+      else
+        winnerswinner1_of_four_0_4_choice_6 := (not (((winnerswinner1_of_pair_0_5 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_4 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_4_value_9 or
+          winnerswinner1_of_four_0_4_value_10);
+      end if;
+      if winnerswinner1_of_four_0_4_choice_6 then
+        winnerswinner1_of_four_0_4_choice_7 := (not ((not ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_4 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_6 / 64) = 1));
+      else
+        winnerswinner1_of_four_0_4_choice_7 := (not ((not ((winnerswinner1_of_pair_0_5 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_4 / 64) = 1)))) or ((not ((winnerswinner1_of_pair_0_7 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_6 / 64) = 1)));
+      end if;
+      if (winnerswinner1_of_pair_0_9 mod 2) = 1 then
+        winnerswinner1_of_four_0_8_choice := (not ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not
+          ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      else
+        winnerswinner1_of_four_0_8_choice := ((winnerswinner1_of_pair_0_8 mod 2) = 1) and (not
+          ((winnerswinner1_of_pair_0_11 mod 2) = 1)) and (not ((winnerswinner1_of_pair_0_10 mod 2) = 1));
+      end if;
       winnerswinner1_of_four_0_8_value := ((winnerswinner1_of_pair_0_9 / 2) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_2 := ((winnerswinner1_of_pair_0_8 / 2) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value or
-        winnerswinner1_of_four_0_8_value_2 when (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_10 / 2) mod 2) = 1)) else winnerswinner1_of_four_0_8_choice and
-        (winnerswinner1_of_four_0_8_value or winnerswinner1_of_four_0_8_value_2);
+      if (not (((winnerswinner1_of_pair_0_11 / 2) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_10 / 2) mod 2) =
+        1)) then
+        winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice or winnerswinner1_of_four_0_8_value or
+          winnerswinner1_of_four_0_8_value_2;
+      else
+        winnerswinner1_of_four_0_8_choice_2 := winnerswinner1_of_four_0_8_choice and (winnerswinner1_of_four_0_8_value
+          or winnerswinner1_of_four_0_8_value_2);
+      end if;
       winnerswinner1_of_four_0_8_value_3 := ((winnerswinner1_of_pair_0_11 / 4) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_4 := ((winnerswinner1_of_pair_0_10 / 4) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_3 or
-        winnerswinner1_of_four_0_8_value_4) when winnerswinner1_of_four_0_8_choice_2 else ((not
-        (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or
-        winnerswinner1_of_four_0_8_value_3 or winnerswinner1_of_four_0_8_value_4;
+      if winnerswinner1_of_four_0_8_choice_2 then
+        winnerswinner1_of_four_0_8_choice_3 := (not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_3 or
+          winnerswinner1_of_four_0_8_value_4);
+      else
+        winnerswinner1_of_four_0_8_choice_3 := ((not (((winnerswinner1_of_pair_0_9 / 4) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 4) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_3 or
+          winnerswinner1_of_four_0_8_value_4;
+      end if;
       winnerswinner1_of_four_0_8_value_5 := ((winnerswinner1_of_pair_0_11 / 8) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_6 := ((winnerswinner1_of_pair_0_10 / 8) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_5 or
-        winnerswinner1_of_four_0_8_value_6 when winnerswinner1_of_four_0_8_choice_3 else (not
-        (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_5 or winnerswinner1_of_four_0_8_value_6);
+      if winnerswinner1_of_four_0_8_choice_3 then
+        winnerswinner1_of_four_0_8_choice_4 := ((not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_5 or
+          winnerswinner1_of_four_0_8_value_6;
+      else
+        winnerswinner1_of_four_0_8_choice_4 := (not (((winnerswinner1_of_pair_0_9 / 8) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 8) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_5 or
+          winnerswinner1_of_four_0_8_value_6);
+      end if;
       winnerswinner1_of_four_0_8_value_7 := ((winnerswinner1_of_pair_0_11 / 16) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_8 := ((winnerswinner1_of_pair_0_10 / 16) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_7 or
-        winnerswinner1_of_four_0_8_value_8 when winnerswinner1_of_four_0_8_choice_4 else (not
-        (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_7 or winnerswinner1_of_four_0_8_value_8);
+      if winnerswinner1_of_four_0_8_choice_4 then
+        winnerswinner1_of_four_0_8_choice_5 := ((not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_7 or
+          winnerswinner1_of_four_0_8_value_8;
+      else
+        winnerswinner1_of_four_0_8_choice_5 := (not (((winnerswinner1_of_pair_0_9 / 16) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 16) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_7 or
+          winnerswinner1_of_four_0_8_value_8);
+      end if;
       winnerswinner1_of_four_0_8_value_9 := ((winnerswinner1_of_pair_0_11 / 32) mod 2) = 1;
       winnerswinner1_of_four_0_8_value_10 := ((winnerswinner1_of_pair_0_10 / 32) mod 2) = 1;
-      winnerswinner1_of_four_0_8_choice_6 := ((not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
-        (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_9 or
-        winnerswinner1_of_four_0_8_value_10 when winnerswinner1_of_four_0_8_choice_5 else (not
-        (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1)) and
-        (winnerswinner1_of_four_0_8_value_9 or winnerswinner1_of_four_0_8_value_10);
-      winnerswinner1_of_four_0_8_choice_7 := (not ((not ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not
-        ((winnerswinner1_of_pair_0_8 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not
-        ((winnerswinner1_of_pair_0_10 / 64) = 1)) when winnerswinner1_of_four_0_8_choice_6 else (not ((not
-        ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_8 / 64) = 1)))) or ((not
-        ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not ((winnerswinner1_of_pair_0_10 / 64) = 1)));
-      winnerswinner1_of_pair_0_0 <= 0 when winnerswinner1_of_pair_0_0_choice_7 else sums_sum_0_0;
-      winnerswinner1_of_pair_0_1 <= sums_sum_0_1 when winnerswinner1_of_pair_0_0_choice_7 else 0;
-      winnerswinner1_of_pair_0_2 <= 0 when winnerswinner1_of_pair_0_2_choice_7 else sums_sum_0_2;
-      winnerswinner1_of_pair_0_3 <= sums_sum_0_3 when winnerswinner1_of_pair_0_2_choice_7 else 0;
-      winnerswinner1_of_pair_0_4 <= 0 when winnerswinner1_of_pair_0_4_choice_7 else sums_sum_0_4;
-      winnerswinner1_of_pair_0_5 <= sums_sum_0_5 when winnerswinner1_of_pair_0_4_choice_7 else 0;
-      winnerswinner1_of_pair_0_6 <= 0 when winnerswinner1_of_pair_0_6_choice_7 else sums_sum_0_6;
-      winnerswinner1_of_pair_0_7 <= sums_sum_0_7 when winnerswinner1_of_pair_0_6_choice_7 else 0;
-      winnerswinner1_of_pair_0_8 <= 0 when winnerswinner1_of_pair_0_8_choice_7 else sums_sum_0_8;
-      winnerswinner1_of_pair_0_9 <= sums_sum_0_9 when winnerswinner1_of_pair_0_8_choice_7 else 0;
-      winnerswinner1_of_pair_0_10 <= 0 when winnerswinner1_of_pair_0_10_choice_7 else sums_sum_0_10;
-      winnerswinner1_of_pair_0_11 <= sums_sum_0_11 when winnerswinner1_of_pair_0_10_choice_7 else 0;
+      if winnerswinner1_of_four_0_8_choice_5 then
+        winnerswinner1_of_four_0_8_choice_6 := ((not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1))) or winnerswinner1_of_four_0_8_value_9 or
+          winnerswinner1_of_four_0_8_value_10;
+      else
+        winnerswinner1_of_four_0_8_choice_6 := (not (((winnerswinner1_of_pair_0_9 / 32) mod 2) = 1)) and (not
+          (((winnerswinner1_of_pair_0_8 / 32) mod 2) = 1)) and (winnerswinner1_of_four_0_8_value_9 or
+          winnerswinner1_of_four_0_8_value_10);
+      end if;
+      if winnerswinner1_of_four_0_8_choice_6 then
+        winnerswinner1_of_four_0_8_choice_7 := (not ((not ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_8 / 64) = 1)))) and (not ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_10 / 64) = 1));
+      else
+        winnerswinner1_of_four_0_8_choice_7 := (not ((not ((winnerswinner1_of_pair_0_9 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_8 / 64) = 1)))) or ((not ((winnerswinner1_of_pair_0_11 / 64) = 1)) and (not
+          ((winnerswinner1_of_pair_0_10 / 64) = 1)));
+      end if;
       winnerswinner1_pair_index_0_0 <= winnerswinner1_of_pair_0_0_choice_7;
-      winnerswinner1_pair_index_0_1 <= 3 when winnerswinner1_of_pair_0_2_choice_7 else 2;
-      winnerswinner1_pair_index_0_2 <= 5 when winnerswinner1_of_pair_0_4_choice_7 else 4;
-      winnerswinner1_pair_index_0_3 <= 7 when winnerswinner1_of_pair_0_6_choice_7 else 6;
-      winnerswinner1_pair_index_0_4 <= 9 when winnerswinner1_of_pair_0_8_choice_7 else 8;
-      winnerswinner1_pair_index_0_5 <= 11 when winnerswinner1_of_pair_0_10_choice_7 else 10;
       winnerswinner1_pair_tag_valid <= sums_tag_valid;
       winnerswinner1_pair_tag_map_column <= sums_tag_map_column;
       winnerswinner1_pair_tag_output_column <= sums_tag_output_column;
       winnerswinner1_pair_tag_start_of_frame <= sums_tag_start_of_frame;
       winnerswinner1_pair_tag_end_of_line <= sums_tag_end_of_line;
-      winnerswinner1_of_four_0_0 <= 0 when winnerswinner1_of_four_0_0_choice_7 else winnerswinner1_of_pair_0_0;
-      winnerswinner1_of_four_0_1 <= 0 when winnerswinner1_of_four_0_0_choice_7 else winnerswinner1_of_pair_0_1;
-      winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2 when winnerswinner1_of_four_0_0_choice_7 else 0;
-      winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3 when winnerswinner1_of_four_0_0_choice_7 else 0;
-      winnerswinner1_of_four_0_4 <= 0 when winnerswinner1_of_four_0_4_choice_7 else winnerswinner1_of_pair_0_4;
-      winnerswinner1_of_four_0_5 <= 0 when winnerswinner1_of_four_0_4_choice_7 else winnerswinner1_of_pair_0_5;
-      winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6 when winnerswinner1_of_four_0_4_choice_7 else 0;
-      winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7 when winnerswinner1_of_four_0_4_choice_7 else 0;
-      winnerswinner1_of_four_0_8 <= 0 when winnerswinner1_of_four_0_8_choice_7 else winnerswinner1_of_pair_0_8;
-      winnerswinner1_of_four_0_9 <= 0 when winnerswinner1_of_four_0_8_choice_7 else winnerswinner1_of_pair_0_9;
-      winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10 when winnerswinner1_of_four_0_8_choice_7 else 0;
-      winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_11 when winnerswinner1_of_four_0_8_choice_7 else 0;
-      winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1 when winnerswinner1_of_four_0_0_choice_7 else
-        as_number(winnerswinner1_pair_index_0_0);
-      winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3 when winnerswinner1_of_four_0_4_choice_7 else
-        winnerswinner1_pair_index_0_2;
-      winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5 when winnerswinner1_of_four_0_8_choice_7 else
-        winnerswinner1_pair_index_0_4;
       winnerswinner1_four_tag_valid <= winnerswinner1_pair_tag_valid;
       winnerswinner1_four_tag_map_column <= winnerswinner1_pair_tag_map_column;
       winnerswinner1_four_tag_output_column <= winnerswinner1_pair_tag_output_column;
@@ -2010,75 +2985,205 @@ begin
       winnerswinner1_tag_output_column <= winnerswinner1_four_tag_output_column;
       winnerswinner1_tag_start_of_frame <= winnerswinner1_four_tag_start_of_frame;
       winnerswinner1_tag_end_of_line <= winnerswinner1_four_tag_end_of_line;
+      if winnerswinner1_of_pair_0_0_choice_7 then
+        winnerswinner1_of_pair_0_0 <= 0;
+        winnerswinner1_of_pair_0_1 <= sums_sum_0_1;
+      else
+        winnerswinner1_of_pair_0_0 <= sums_sum_0_0;
+        winnerswinner1_of_pair_0_1 <= 0;
+      end if;
+      if winnerswinner1_of_pair_0_2_choice_7 then
+        winnerswinner1_of_pair_0_2 <= 0;
+        winnerswinner1_of_pair_0_3 <= sums_sum_0_3;
+        winnerswinner1_pair_index_0_1 <= 3;
+      else
+        winnerswinner1_of_pair_0_2 <= sums_sum_0_2;
+        winnerswinner1_of_pair_0_3 <= 0;
+        winnerswinner1_pair_index_0_1 <= 2;
+      end if;
+      if winnerswinner1_of_pair_0_4_choice_7 then
+        winnerswinner1_of_pair_0_4 <= 0;
+        winnerswinner1_of_pair_0_5 <= sums_sum_0_5;
+        winnerswinner1_pair_index_0_2 <= 5;
+      else
+        winnerswinner1_of_pair_0_4 <= sums_sum_0_4;
+        winnerswinner1_of_pair_0_5 <= 0;
+        winnerswinner1_pair_index_0_2 <= 4;
+      end if;
+      if winnerswinner1_of_pair_0_6_choice_7 then
+        winnerswinner1_of_pair_0_6 <= 0;
+        winnerswinner1_of_pair_0_7 <= sums_sum_0_7;
+        winnerswinner1_pair_index_0_3 <= 7;
+      else
+        winnerswinner1_of_pair_0_6 <= sums_sum_0_6;
+        winnerswinner1_of_pair_0_7 <= 0;
+        winnerswinner1_pair_index_0_3 <= 6;
+      end if;
+      if winnerswinner1_of_pair_0_8_choice_7 then
+        winnerswinner1_of_pair_0_8 <= 0;
+        winnerswinner1_of_pair_0_9 <= sums_sum_0_9;
+        winnerswinner1_pair_index_0_4 <= 9;
+      else
+        winnerswinner1_of_pair_0_8 <= sums_sum_0_8;
+        winnerswinner1_of_pair_0_9 <= 0;
+        winnerswinner1_pair_index_0_4 <= 8;
+      end if;
+      if winnerswinner1_of_pair_0_10_choice_7 then
+        winnerswinner1_of_pair_0_10 <= 0;
+        winnerswinner1_of_pair_0_11 <= sums_sum_0_11;
+        winnerswinner1_pair_index_0_5 <= 11;
+      else
+        winnerswinner1_of_pair_0_10 <= sums_sum_0_10;
+        winnerswinner1_of_pair_0_11 <= 0;
+        winnerswinner1_pair_index_0_5 <= 10;
+      end if;
+      if winnerswinner1_of_four_0_0_choice_7 then
+        winnerswinner1_of_four_0_0 <= 0;
+        winnerswinner1_of_four_0_1 <= 0;
+        winnerswinner1_of_four_0_2 <= winnerswinner1_of_pair_0_2;
+        winnerswinner1_of_four_0_3 <= winnerswinner1_of_pair_0_3;
+        winnerswinner1_four_index_0_0 <= winnerswinner1_pair_index_0_1;
+      else
+        winnerswinner1_of_four_0_0 <= winnerswinner1_of_pair_0_0;
+        winnerswinner1_of_four_0_1 <= winnerswinner1_of_pair_0_1;
+        winnerswinner1_of_four_0_2 <= 0;
+        winnerswinner1_of_four_0_3 <= 0;
+        winnerswinner1_four_index_0_0 <= as_number(winnerswinner1_pair_index_0_0);
+      end if;
+      if winnerswinner1_of_four_0_4_choice_7 then
+        winnerswinner1_of_four_0_4 <= 0;
+        winnerswinner1_of_four_0_5 <= 0;
+        winnerswinner1_of_four_0_6 <= winnerswinner1_of_pair_0_6;
+        winnerswinner1_of_four_0_7 <= winnerswinner1_of_pair_0_7;
+        winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_3;
+      else
+        winnerswinner1_of_four_0_4 <= winnerswinner1_of_pair_0_4;
+        winnerswinner1_of_four_0_5 <= winnerswinner1_of_pair_0_5;
+        winnerswinner1_of_four_0_6 <= 0;
+        winnerswinner1_of_four_0_7 <= 0;
+        winnerswinner1_four_index_0_1 <= winnerswinner1_pair_index_0_2;
+      end if;
+      if winnerswinner1_of_four_0_8_choice_7 then
+        winnerswinner1_of_four_0_8 <= 0;
+        winnerswinner1_of_four_0_9 <= 0;
+        winnerswinner1_of_four_0_10 <= winnerswinner1_of_pair_0_10;
+        winnerswinner1_of_four_0_11 <= winnerswinner1_of_pair_0_11;
+        winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_5;
+      else
+        winnerswinner1_of_four_0_8 <= winnerswinner1_of_pair_0_8;
+        winnerswinner1_of_four_0_9 <= winnerswinner1_of_pair_0_9;
+        winnerswinner1_of_four_0_10 <= 0;
+        winnerswinner1_of_four_0_11 <= 0;
+        winnerswinner1_four_index_0_2 <= winnerswinner1_pair_index_0_4;
+      end if;
       -- winnerswinner2
-      winnerswinner2_of_pair_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
-        ((winnerswinner1_best_cost_0_1 mod 2) = 1)) when (winnerswinner1_best_cost_0_0 mod 2) = 1 else not
-        (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1);
-      winnerswinner2_of_pair_0_0_choice_2 := winnerswinner2_of_pair_0_0_choice when ((winnerswinner1_best_cost_0_0 / 2)
-        mod 2) = 1 else ((winnerswinner1_best_cost_0_0 mod 2) = 1) and ((winnerswinner1_best_cost_0_1 mod 4) = 0);
+      if (winnerswinner1_best_cost_0_0 mod 2) = 1 then
+        winnerswinner2_of_pair_0_0_choice := (not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1)) or (not
+          ((winnerswinner1_best_cost_0_1 mod 2) = 1));
+      else
+        winnerswinner2_of_pair_0_0_choice := not (((winnerswinner1_best_cost_0_1 / 2) mod 2) = 1);
+      end if;
+      if ((winnerswinner1_best_cost_0_0 / 2) mod 2) = 1 then
+        winnerswinner2_of_pair_0_0_choice_2 := winnerswinner2_of_pair_0_0_choice;
+      else
+        winnerswinner2_of_pair_0_0_choice_2 := ((winnerswinner1_best_cost_0_0 mod 2) = 1) and
+          ((winnerswinner1_best_cost_0_1 mod 4) = 0);
+      end if;
       winnerswinner2_of_pair_0_0_value := ((winnerswinner1_best_cost_0_1 / 4) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
-        winnerswinner2_of_pair_0_0_value when winnerswinner2_of_pair_0_0_choice_2 else (not
-        (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or winnerswinner2_of_pair_0_0_value;
+      if winnerswinner2_of_pair_0_0_choice_2 then
+        winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value;
+      else
+        winnerswinner2_of_pair_0_0_choice_3 := (not (((winnerswinner1_best_cost_0_0 / 4) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value;
+      end if;
       winnerswinner2_of_pair_0_0_value_2 := ((winnerswinner1_best_cost_0_1 / 8) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
-        winnerswinner2_of_pair_0_0_value_2 when winnerswinner2_of_pair_0_0_choice_3 else (not
-        (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_2;
+      if winnerswinner2_of_pair_0_0_choice_3 then
+        winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value_2;
+      else
+        winnerswinner2_of_pair_0_0_choice_4 := (not (((winnerswinner1_best_cost_0_0 / 8) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value_2;
+      end if;
       winnerswinner2_of_pair_0_0_value_3 := ((winnerswinner1_best_cost_0_1 / 16) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
-        winnerswinner2_of_pair_0_0_value_3 when winnerswinner2_of_pair_0_0_choice_4 else (not
-        (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_3;
+      if winnerswinner2_of_pair_0_0_choice_4 then
+        winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value_3;
+      else
+        winnerswinner2_of_pair_0_0_choice_5 := (not (((winnerswinner1_best_cost_0_0 / 16) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value_3;
+      end if;
       winnerswinner2_of_pair_0_0_value_4 := ((winnerswinner1_best_cost_0_1 / 32) mod 2) = 1;
-      winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
-        winnerswinner2_of_pair_0_0_value_4 when winnerswinner2_of_pair_0_0_choice_5 else (not
-        (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and winnerswinner2_of_pair_0_0_value_4;
-      winnerswinner2_of_pair_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) and (not
-        ((winnerswinner1_best_cost_0_1 / 64) = 1)) when winnerswinner2_of_pair_0_0_choice_6 else
-        ((winnerswinner1_best_cost_0_0 / 64) = 1) or (not ((winnerswinner1_best_cost_0_1 / 64) = 1));
+      if winnerswinner2_of_pair_0_0_choice_5 then
+        winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) or
+          winnerswinner2_of_pair_0_0_value_4;
+      else
+        winnerswinner2_of_pair_0_0_choice_6 := (not (((winnerswinner1_best_cost_0_0 / 32) mod 2) = 1)) and
+          winnerswinner2_of_pair_0_0_value_4;
+      end if;
+      if winnerswinner2_of_pair_0_0_choice_6 then
+        winnerswinner2_of_pair_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) and (not
+          ((winnerswinner1_best_cost_0_1 / 64) = 1));
+      else
+        winnerswinner2_of_pair_0_0_choice_7 := ((winnerswinner1_best_cost_0_0 / 64) = 1) or (not
+          ((winnerswinner1_best_cost_0_1 / 64) = 1));
+      end if;
       winnerswinner2_four_index_0_0_value := ((winnerswinner2_of_pair_0_1 / 2) mod 2) = 1;
       winnerswinner2_four_index_0_0_value_2 := ((winnerswinner2_of_pair_0_0 / 2) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) or
-        winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2 when (not
-        ((winnerswinner2_of_pair_0_2 mod 2) = 1)) and (((winnerswinner2_of_pair_0_1 mod 2) = 1) or
-        ((winnerswinner2_of_pair_0_0 mod 2) = 1)) else (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) and
-        (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2);
+      if (not ((winnerswinner2_of_pair_0_2 mod 2) = 1)) and (((winnerswinner2_of_pair_0_1 mod 2) = 1) or
+        ((winnerswinner2_of_pair_0_0 mod 2) = 1)) then
+        winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) or
+          winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2;
+      else
+        winnerswinner2_four_index_0_0_choice := (not (((winnerswinner2_of_pair_0_2 / 2) mod 2) = 1)) and
+          (winnerswinner2_four_index_0_0_value or winnerswinner2_four_index_0_0_value_2);
+      end if;
       winnerswinner2_four_index_0_0_value_3 := ((winnerswinner2_of_pair_0_2 / 4) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_2 := winnerswinner2_four_index_0_0_value_3 and (not
-        (((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1)) when
-        winnerswinner2_four_index_0_0_choice else winnerswinner2_four_index_0_0_value_3 or ((not
-        (((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1)));
+      if winnerswinner2_four_index_0_0_choice then
+        winnerswinner2_four_index_0_0_choice_2 := winnerswinner2_four_index_0_0_value_3 and (not
+          (((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1));
+      else
+        winnerswinner2_four_index_0_0_choice_2 := winnerswinner2_four_index_0_0_value_3 or ((not
+          (((winnerswinner2_of_pair_0_1 / 4) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 4) mod 2) = 1)));
+      end if;
       winnerswinner2_four_index_0_0_value_4 := ((winnerswinner2_of_pair_0_2 / 8) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_3 := winnerswinner2_four_index_0_0_value_4 or ((not
-        (((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1))) when
-        winnerswinner2_four_index_0_0_choice_2 else winnerswinner2_four_index_0_0_value_4 and (not
-        (((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1));
+      if winnerswinner2_four_index_0_0_choice_2 then
+        winnerswinner2_four_index_0_0_choice_3 := winnerswinner2_four_index_0_0_value_4 or ((not
+          (((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1)));
+      else
+        winnerswinner2_four_index_0_0_choice_3 := winnerswinner2_four_index_0_0_value_4 and (not
+          (((winnerswinner2_of_pair_0_1 / 8) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 8) mod 2) = 1));
+      end if;
       winnerswinner2_four_index_0_0_value_5 := ((winnerswinner2_of_pair_0_2 / 16) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_4 := winnerswinner2_four_index_0_0_value_5 or ((not
-        (((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1)))
-        when winnerswinner2_four_index_0_0_choice_3 else winnerswinner2_four_index_0_0_value_5 and (not
-        (((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1));
+      if winnerswinner2_four_index_0_0_choice_3 then
+        winnerswinner2_four_index_0_0_choice_4 := winnerswinner2_four_index_0_0_value_5 or ((not
+          (((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1)));
+      else
+        winnerswinner2_four_index_0_0_choice_4 := winnerswinner2_four_index_0_0_value_5 and (not
+          (((winnerswinner2_of_pair_0_1 / 16) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 16) mod 2) = 1));
+      end if;
       winnerswinner2_four_index_0_0_value_6 := ((winnerswinner2_of_pair_0_2 / 32) mod 2) = 1;
-      winnerswinner2_four_index_0_0_choice_5 := winnerswinner2_four_index_0_0_value_6 or ((not
-        (((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1)))
-        when winnerswinner2_four_index_0_0_choice_4 else winnerswinner2_four_index_0_0_value_6 and (not
-        (((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1));
-      winnerswinner2_four_index_0_0_choice_6 := (not ((winnerswinner2_of_pair_0_2 / 64) = 1)) and
-        (((winnerswinner2_of_pair_0_1 / 64) = 1) or ((winnerswinner2_of_pair_0_0 / 64) = 1)) when
-        winnerswinner2_four_index_0_0_choice_5 else (not ((winnerswinner2_of_pair_0_2 / 64) = 1)) or
-        ((winnerswinner2_of_pair_0_1 / 64) = 1) or ((winnerswinner2_of_pair_0_0 / 64) = 1);
-      winnerswinner2_of_pair_0_0 <= 0 when winnerswinner2_of_pair_0_0_choice_7 else winnerswinner1_best_cost_0_0;
-      winnerswinner2_of_pair_0_1 <= winnerswinner1_best_cost_0_1 when winnerswinner2_of_pair_0_0_choice_7 else 0;
+      if winnerswinner2_four_index_0_0_choice_4 then
+        winnerswinner2_four_index_0_0_choice_5 := winnerswinner2_four_index_0_0_value_6 or ((not
+          (((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1)));
+      else
+        winnerswinner2_four_index_0_0_choice_5 := winnerswinner2_four_index_0_0_value_6 and (not
+          (((winnerswinner2_of_pair_0_1 / 32) mod 2) = 1)) and (not (((winnerswinner2_of_pair_0_0 / 32) mod 2) = 1));
+      end if;
+      if winnerswinner2_four_index_0_0_choice_5 then
+        winnerswinner2_four_index_0_0_choice_6 := (not ((winnerswinner2_of_pair_0_2 / 64) = 1)) and
+          (((winnerswinner2_of_pair_0_1 / 64) = 1) or ((winnerswinner2_of_pair_0_0 / 64) = 1));
+      else
+        winnerswinner2_four_index_0_0_choice_6 := (not ((winnerswinner2_of_pair_0_2 / 64) = 1)) or
+          ((winnerswinner2_of_pair_0_1 / 64) = 1) or ((winnerswinner2_of_pair_0_0 / 64) = 1);
+      end if;
       winnerswinner2_of_pair_0_2 <= winnerswinner1_best_cost_0_2;
-      winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_1 when winnerswinner2_of_pair_0_0_choice_7 else
-        winnerswinner1_best_index_0_0;
       winnerswinner2_pair_index_0_1 <= winnerswinner1_best_index_0_2;
       winnerswinner2_pair_tag_valid <= winnerswinner1_tag_valid;
       winnerswinner2_pair_tag_map_column <= winnerswinner1_tag_map_column;
       winnerswinner2_pair_tag_output_column <= winnerswinner1_tag_output_column;
       winnerswinner2_pair_tag_start_of_frame <= winnerswinner1_tag_start_of_frame;
       winnerswinner2_pair_tag_end_of_line <= winnerswinner1_tag_end_of_line;
-      winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_1 when winnerswinner2_four_index_0_0_choice_6 else
-        winnerswinner2_pair_index_0_0;
       winnerswinner2_four_tag_valid <= winnerswinner2_pair_tag_valid;
       winnerswinner2_four_tag_map_column <= winnerswinner2_pair_tag_map_column;
       winnerswinner2_four_tag_output_column <= winnerswinner2_pair_tag_output_column;
@@ -2090,6 +3195,20 @@ begin
       winnerswinner2_tag_output_column <= winnerswinner2_four_tag_output_column;
       winnerswinner2_tag_start_of_frame <= winnerswinner2_four_tag_start_of_frame;
       winnerswinner2_tag_end_of_line <= winnerswinner2_four_tag_end_of_line;
+      if winnerswinner2_of_pair_0_0_choice_7 then
+        winnerswinner2_of_pair_0_0 <= 0;
+        winnerswinner2_of_pair_0_1 <= winnerswinner1_best_cost_0_1;
+        winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_1;
+      else
+        winnerswinner2_of_pair_0_0 <= winnerswinner1_best_cost_0_0;
+        winnerswinner2_of_pair_0_1 <= 0;
+        winnerswinner2_pair_index_0_0 <= winnerswinner1_best_index_0_0;
+      end if;
+      if winnerswinner2_four_index_0_0_choice_6 then
+        winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_1;
+      else
+        winnerswinner2_four_index_0_0 <= winnerswinner2_pair_index_0_0;
+      end if;
       -- winners
       winners_best_index_0_0 <= winnerswinner2_best_index_0_0;
       winners_best_tag_valid <= winnerswinner2_tag_valid;
@@ -2099,20 +3218,31 @@ begin
       winners_best_tag_end_of_line <= winnerswinner2_tag_end_of_line;
       -- turn
       turn_order_address_any := turn_order_inside or (not winners_best_tag_map_column) or (not winners_best_tag_valid);
-      turn_order_address_choice := 31 when turn_order_falls else 1;
-      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      if turn_order_falls then
+        turn_order_address_choice := 31;
+      else
+        turn_order_address_choice := 1;
+      end if;
+      if turn_order_falls then
+        turn_order_address_choice_2 := 0;
+      else
+        turn_order_address_choice_2 := 7;
+      end if;
       turn_order_address_any_2 := (not winners_best_tag_map_column) or (not winners_best_tag_valid);
       if not turn_order_address_any_2 then
-        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
-          turn_order_address_choice_2 * 4;
+        if turn_order_address_any then
+          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32;
+        else
+          turn_order_address <= turn_order_address_choice_2 * 4;
+        end if;
       end if;
       turn_order_falls_all := (not turn_order_inside) and winners_best_tag_map_column and winners_best_tag_valid;
       turn_order_complete_all := winners_best_tag_map_column and winners_best_tag_valid;
-      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
-        else turn_order_held_output;
-      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
-      turn_order_complete <= turn_order_complete or turn_order_complete_all when winners_best_tag_end_of_line else
-        turn_order_complete and turn_order_address_any_2;
+      if turn_order_falls_all then
+        turn_order_turned_output_column_choice := turn_order_output and turn_order_complete;
+      else
+        turn_order_turned_output_column_choice := turn_order_held_output;
+      end if;
       turn_order_turned_valid <= winners_best_tag_valid;
       turn_order_turned_output_column <= turn_order_turned_output_column_choice and winners_best_tag_map_column;
       turn_order_turned_start_of_frame <= (not turn_order_inside) and winners_best_tag_map_column and
@@ -2129,6 +3259,16 @@ begin
       turn_ready_tag_output_column <= turn_read_tag_output_column;
       turn_ready_tag_start_of_frame <= turn_read_tag_start_of_frame;
       turn_ready_tag_end_of_line <= turn_read_tag_end_of_line;
+      if turn_order_falls then
+        turn_order_falls <= turn_order_address_any;
+      else
+        turn_order_falls <= turn_order_falls_all;
+      end if;
+      if winners_best_tag_end_of_line then
+        turn_order_complete <= turn_order_complete or turn_order_complete_all;
+      else
+        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
+      end if;
       if winners_best_tag_valid then
         turn_order_inside <= winners_best_tag_map_column;
       end if;
@@ -2148,96 +3288,132 @@ begin
       else
         other_1_choice := positive_part(slice2cost_difference_0_1);
       end if;
-      other_1_choice_2 := 0 when slice0window_tag_border_column else ((other_1_choice + as_number(other_1_is_less)) mod
-        256) / 8;
+      if slice0window_tag_border_column then
+        other_1_choice_2 := 0;
+      else
+        other_1_choice_2 := ((other_1_choice + as_number(other_1_is_less)) mod 256) / 8;
+      end if;
       other_3_is_less := slice2cost_difference_0_0 < 0;
       if other_3_is_less then
         other_3_choice := (65535 - slice2cost_difference_0_0) mod 256;
       else
         other_3_choice := positive_part(slice2cost_difference_0_0);
       end if;
-      other_3_choice_2 := 0 when slice0window_tag_border_column else ((other_3_choice + as_number(other_3_is_less)) mod
-        256) / 8;
+      if slice0window_tag_border_column then
+        other_3_choice_2 := 0;
+      else
+        other_3_choice_2 := ((other_3_choice + as_number(other_3_is_less)) mod 256) / 8;
+      end if;
       other_5_is_less := slice1cost_difference_0_4 < 0;
       if other_5_is_less then
         other_5_choice := (65535 - slice1cost_difference_0_4) mod 256;
       else
         other_5_choice := positive_part(slice1cost_difference_0_4);
       end if;
-      other_5_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_5_choice + as_number(other_5_is_less))
-        mod 256) / 8;
+      if slice0cost_pair_tag_border_column then
+        other_5_choice_2 := 0;
+      else
+        other_5_choice_2 := ((other_5_choice + as_number(other_5_is_less)) mod 256) / 8;
+      end if;
       other_7_is_less := slice1cost_difference_0_3 < 0;
       if other_7_is_less then
         other_7_choice := (65535 - slice1cost_difference_0_3) mod 256;
       else
         other_7_choice := positive_part(slice1cost_difference_0_3);
       end if;
-      other_7_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_7_choice + as_number(other_7_is_less))
-        mod 256) / 8;
+      if slice0cost_pair_tag_border_column then
+        other_7_choice_2 := 0;
+      else
+        other_7_choice_2 := ((other_7_choice + as_number(other_7_is_less)) mod 256) / 8;
+      end if;
       other_9_is_less := slice1cost_difference_0_2 < 0;
       if other_9_is_less then
         other_9_choice := (65535 - slice1cost_difference_0_2) mod 256;
       else
         other_9_choice := positive_part(slice1cost_difference_0_2);
       end if;
-      other_9_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_9_choice + as_number(other_9_is_less))
-        mod 256) / 8;
+      if slice0cost_pair_tag_border_column then
+        other_9_choice_2 := 0;
+      else
+        other_9_choice_2 := ((other_9_choice + as_number(other_9_is_less)) mod 256) / 8;
+      end if;
       other_11_is_less := slice1cost_difference_0_1 < 0;
       if other_11_is_less then
         other_11_choice := (65535 - slice1cost_difference_0_1) mod 256;
       else
         other_11_choice := positive_part(slice1cost_difference_0_1);
       end if;
-      other_11_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_11_choice +
-        as_number(other_11_is_less)) mod 256) / 8;
+      if slice0cost_pair_tag_border_column then
+        other_11_choice_2 := 0;
+      else
+        other_11_choice_2 := ((other_11_choice + as_number(other_11_is_less)) mod 256) / 8;
+      end if;
       other_13_is_less := slice1cost_difference_0_0 < 0;
       if other_13_is_less then
         other_13_choice := (65535 - slice1cost_difference_0_0) mod 256;
       else
         other_13_choice := positive_part(slice1cost_difference_0_0);
       end if;
-      other_13_choice_2 := 0 when slice0cost_pair_tag_border_column else ((other_13_choice +
-        as_number(other_13_is_less)) mod 256) / 8;
+      if slice0cost_pair_tag_border_column then
+        other_13_choice_2 := 0;
+      else
+        other_13_choice_2 := ((other_13_choice + as_number(other_13_is_less)) mod 256) / 8;
+      end if;
       other_15_is_less := slice0cost_difference_0_4 < 0;
       if other_15_is_less then
         other_15_choice := (65535 - slice0cost_difference_0_4) mod 256;
       else
         other_15_choice := positive_part(slice0cost_difference_0_4);
       end if;
-      other_15_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_15_choice +
-        as_number(other_15_is_less)) mod 256) / 8;
+      if slice0cost_difference_tag_border_column then
+        other_15_choice_2 := 0;
+      else
+        other_15_choice_2 := ((other_15_choice + as_number(other_15_is_less)) mod 256) / 8;
+      end if;
       other_17_is_less := slice0cost_difference_0_3 < 0;
       if other_17_is_less then
         other_17_choice := (65535 - slice0cost_difference_0_3) mod 256;
       else
         other_17_choice := positive_part(slice0cost_difference_0_3);
       end if;
-      other_17_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_17_choice +
-        as_number(other_17_is_less)) mod 256) / 8;
+      if slice0cost_difference_tag_border_column then
+        other_17_choice_2 := 0;
+      else
+        other_17_choice_2 := ((other_17_choice + as_number(other_17_is_less)) mod 256) / 8;
+      end if;
       other_19_is_less := slice0cost_difference_0_2 < 0;
       if other_19_is_less then
         other_19_choice := (65535 - slice0cost_difference_0_2) mod 256;
       else
         other_19_choice := positive_part(slice0cost_difference_0_2);
       end if;
-      other_19_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_19_choice +
-        as_number(other_19_is_less)) mod 256) / 8;
+      if slice0cost_difference_tag_border_column then
+        other_19_choice_2 := 0;
+      else
+        other_19_choice_2 := ((other_19_choice + as_number(other_19_is_less)) mod 256) / 8;
+      end if;
       other_21_is_less := slice0cost_difference_0_1 < 0;
       if other_21_is_less then
         other_21_choice := (65535 - slice0cost_difference_0_1) mod 256;
       else
         other_21_choice := positive_part(slice0cost_difference_0_1);
       end if;
-      other_21_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_21_choice +
-        as_number(other_21_is_less)) mod 256) / 8;
+      if slice0cost_difference_tag_border_column then
+        other_21_choice_2 := 0;
+      else
+        other_21_choice_2 := ((other_21_choice + as_number(other_21_is_less)) mod 256) / 8;
+      end if;
       other_23_is_less := slice0cost_difference_0_0 < 0;
       if other_23_is_less then
         other_23_choice := (65535 - slice0cost_difference_0_0) mod 256;
       else
         other_23_choice := positive_part(slice0cost_difference_0_0);
       end if;
-      other_23_choice_2 := 0 when slice0cost_difference_tag_border_column else ((other_23_choice +
-        as_number(other_23_is_less)) mod 256) / 8;
+      if slice0cost_difference_tag_border_column then
+        other_23_choice_2 := 0;
+      else
+        other_23_choice_2 := ((other_23_choice + as_number(other_23_is_less)) mod 256) / 8;
+      end if;
       other_0 <= other_1;
       other_1 <= other_1_choice_2 * 8;
       other_2 <= other_3;

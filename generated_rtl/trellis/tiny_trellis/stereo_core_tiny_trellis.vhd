@@ -524,89 +524,137 @@ architecture rtl of stereo_core_tiny_trellis is
   signal fill_out_passed_0, fill_out_tag_output_column : boolean;
   -- other
   signal other_0, other_1, other_2, other_3 : natural range 0 to 257;
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal turn_read_words_0_memory_read_enable : boolean;
+  signal turn_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal turn_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal decisions_read_words_0_memory_read_enable : boolean;
+  signal decisions_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal decisions_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal decisions_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(fill_out_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(fill_out_passed_0), 1));
   disparity_valid <= as_bit(lastwinner4_tag_valid and fill_out_tag_output_column);
   disparity_start_of_frame <= as_bit(((other_1 mod 2) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
   disparity_end_of_line <= as_bit(((other_1 / 256) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
+  turn_read_words_0_memory_read_enable <= true;
+  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 5);
+  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 5);
   turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
   turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9)
+    generic map (depth => 29, width => 9, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
+      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
+      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
 
+  decisions_read_words_0_memory_read_enable <= true;
+  decisions_read_words_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  decisions_read_words_0_memory_write_address <= to_unsigned(decisions_write_place, 5);
   decisions_read_words_0_memory_write_data <= to_unsigned(decisions_write_words_0, 24);
   decisions_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 24)
+    generic map (depth => 29, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => decisions_read_words_0,
-      write_address => decisions_write_place, write_data => decisions_read_words_0_memory_write_data);
+      clock => clock, read_enable => decisions_read_words_0_memory_read_enable,
+      read_address => decisions_read_words_0_memory_read_address, read_data => decisions_read_words_0,
+      write_address => decisions_read_words_0_memory_write_address, write_data => decisions_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -1007,590 +1055,1328 @@ begin
       transform_counter_group_is_equal := transform_counter_column = 39;
       transform_counter_group_is_equal_2 := transform_counter_group = 11;
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      transform_counter_group_choice := 3 when transform_counter_group_all else 0;
+      if transform_counter_group_all then
+        transform_counter_group_choice := 3;
+      else
+        transform_counter_group_choice := 0;
+      end if;
       transform_counter_group_is_equal_3 := transform_counter_group = 13;
-      transform_counter_group_choice_2 := 2 when transform_counter_next_frame and transform_counter_group_is_equal_3
-        else (transform_counter_group + 1) mod 16;
-      transform_counter_group_choice_3 := transform_counter_group_choice_2 when (transform_counter_group /= 14) and
-        transform_counter_group_is_equal and in_valid else transform_counter_group;
+      if transform_counter_next_frame and transform_counter_group_is_equal_3 then
+        transform_counter_group_choice_2 := 2;
+      else
+        transform_counter_group_choice_2 := (transform_counter_group + 1) mod 16;
+      end if;
+      if (transform_counter_group /= 14) and transform_counter_group_is_equal and in_valid then
+        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+      else
+        transform_counter_group_choice_3 := transform_counter_group;
+      end if;
       transform_read_column_inside_1_is_equal := (transform_counter_column / 4) = 0;
       transform_read_column_inside_1_is_equal_2 := (transform_counter_column / 2) = 0;
-      transform_read_column_inside_1_choice := (transform_counter_column mod 4) = 0 when
-        transform_read_column_inside_1_is_equal_2 else ((transform_counter_column mod 2) = 1) or
-        (((transform_counter_column / 2) mod 2) = 1);
+      if transform_read_column_inside_1_is_equal_2 then
+        transform_read_column_inside_1_choice := (transform_counter_column mod 4) = 0;
+      else
+        transform_read_column_inside_1_choice := ((transform_counter_column mod 2) = 1) or (((transform_counter_column
+          / 2) mod 2) = 1);
+      end if;
       transform_read_column_inside_1_differs := (transform_counter_column / 2) /= 0;
-      transform_read_column_inside_3_choice := ((transform_counter_column / 2) mod 8) = 0 when
-        (transform_counter_column mod 2) = 1 else ((transform_counter_column / 4) mod 4) = 0;
-      transform_read_column_inside_3_choice_2 := (transform_counter_column / 16) = 0 when
-        transform_read_column_inside_1_is_equal_2 else ((transform_counter_column / 32) = 1) or
-        (((transform_counter_column / 16) mod 2) = 1);
+      if (transform_counter_column mod 2) = 1 then
+        transform_read_column_inside_3_choice := ((transform_counter_column / 2) mod 8) = 0;
+      else
+        transform_read_column_inside_3_choice := ((transform_counter_column / 4) mod 4) = 0;
+      end if;
+      if transform_read_column_inside_1_is_equal_2 then
+        transform_read_column_inside_3_choice_2 := (transform_counter_column / 16) = 0;
+      else
+        transform_read_column_inside_3_choice_2 := ((transform_counter_column / 32) = 1) or (((transform_counter_column
+          / 16) mod 2) = 1);
+      end if;
       transform_left_filter_feature_0_value := ((transform_left_filter_column_2_2 / 2) mod 2) = 1;
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
         ((transform_left_filter_column_2_2 mod 2) = 1));
-      transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      if (transform_left_filter_column_4_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
+      end if;
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column_2_2 mod 4) = 0;
-      transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice when
-        ((transform_left_filter_column_4_0 / 2) mod 2) = 1 else ((transform_left_filter_column_4_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
+      if ((transform_left_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      else
+        transform_left_filter_feature_0_choice_2 := ((transform_left_filter_column_4_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
       transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_2_2 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_2 else (not
-        (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choice_2 then
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
       transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_2_2 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_3 else (not
-        (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      if transform_left_filter_feature_0_choice_3 then
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
       transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_2_2 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_4 else (not
-        (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choice_4 then
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
       transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_2_2 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_5 else (not
-        (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      if transform_left_filter_feature_0_choice_5 then
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
       transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_2_2 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_6 else (not
-        (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_7 else
-        ((transform_left_filter_column_4_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9 when
-        ((transform_left_filter_column_4_1 / 2) mod 2) = 1 else ((transform_left_filter_column_4_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_10 else (not
-        (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_11 else (not
-        (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_12 else (not
-        (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_13 else (not
-        (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_14 else (not
-        (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_15 else
-        ((transform_left_filter_column_4_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17 when
-        ((transform_left_filter_column_4_2 / 2) mod 2) = 1 else ((transform_left_filter_column_4_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_18 else (not
-        (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_19 else (not
-        (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_20 else (not
-        (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_21 else (not
-        (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_22 else (not
-        (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_23 else
-        ((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25 when
-        ((transform_left_filter_column_4_3 / 2) mod 2) = 1 else ((transform_left_filter_column_4_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_26 else (not
-        (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_27 else (not
-        (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_28 else (not
-        (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_29 else (not
-        (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_30 else (not
-        (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_31 else
-        ((transform_left_filter_column_4_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33 when
-        ((transform_left_filter_column_4_4 / 2) mod 2) = 1 else ((transform_left_filter_column_4_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_34 else (not
-        (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_35 else (not
-        (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_36 else (not
-        (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_37 else (not
-        (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_38 else (not
-        (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_4_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_39 else
-        ((transform_left_filter_column_4_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41 when
-        ((transform_left_filter_column_3_0 / 2) mod 2) = 1 else ((transform_left_filter_column_3_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_42 else (not
-        (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_43 else (not
-        (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_44 else (not
-        (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_45 else (not
-        (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_46 else (not
-        (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_47 else
-        ((transform_left_filter_column_3_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49 when
-        ((transform_left_filter_column_3_1 / 2) mod 2) = 1 else ((transform_left_filter_column_3_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_50 else (not
-        (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_51 else (not
-        (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_52 else (not
-        (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_53 else (not
-        (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_54 else (not
-        (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_55 else
-        ((transform_left_filter_column_3_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57 when
-        ((transform_left_filter_column_3_2 / 2) mod 2) = 1 else ((transform_left_filter_column_3_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_58 else (not
-        (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_59 else (not
-        (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_60 else (not
-        (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_61 else (not
-        (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_62 else (not
-        (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_63 else
-        ((transform_left_filter_column_3_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65 when
-        ((transform_left_filter_column_3_3 / 2) mod 2) = 1 else ((transform_left_filter_column_3_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_66 else (not
-        (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_67 else (not
-        (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_68 else (not
-        (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_69 else (not
-        (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_70 else (not
-        (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_71 else
-        ((transform_left_filter_column_3_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73 when
-        ((transform_left_filter_column_3_4 / 2) mod 2) = 1 else ((transform_left_filter_column_3_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_74 else (not
-        (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_75 else (not
-        (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_76 else (not
-        (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_77 else (not
-        (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_78 else (not
-        (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_3_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_79 else
-        ((transform_left_filter_column_3_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81 when
-        ((transform_left_filter_column_2_4 / 2) mod 2) = 1 else ((transform_left_filter_column_2_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_82 else (not
-        (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_83 else (not
-        (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_84 else (not
-        (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_85 else (not
-        (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_86 else (not
-        (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
-        ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_2_2 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
-        (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1)));
-      transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_choice_89 when
-        ((transform_left_filter_column_2_1 / 2) mod 2) = 1 else ((transform_left_filter_column_2_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_90 else (not
-        (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_91 else (not
-        (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_92 else (not
-        (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_93 else (not
-        (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_94 else (not
-        (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_95 else
-        ((transform_left_filter_column_2_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_choice_97 when
-        ((transform_left_filter_column_2_3 / 2) mod 2) = 1 else ((transform_left_filter_column_2_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_98 else (not
-        (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_99 else (not
-        (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_100 else (not
-        (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_101 else (not
-        (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_102 else (not
-        (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_103 else
-        ((transform_left_filter_column_2_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105 when
-        ((transform_left_filter_column_2_0 / 2) mod 2) = 1 else ((transform_left_filter_column_2_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_106 else (not
-        (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_107 else (not
-        (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_108 else (not
-        (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_109 else (not
-        (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_110 else (not
-        (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_111 else
-        ((transform_left_filter_column_2_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_choice_113 when
-        ((transform_left_filter_column_1_3 / 2) mod 2) = 1 else ((transform_left_filter_column_1_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_114 else (not
-        (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_115 else (not
-        (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_116 else (not
-        (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_117 else (not
-        (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_118 else (not
-        (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_119 else
-        ((transform_left_filter_column_1_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_121 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_choice_121 when
-        ((transform_left_filter_column_1_4 / 2) mod 2) = 1 else ((transform_left_filter_column_1_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_122 else (not
-        (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_123 else (not
-        (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_124 else (not
-        (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_125 else (not
-        (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_126 else (not
-        (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_1_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_127 else
-        ((transform_left_filter_column_1_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_129 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_choice_129 when
-        ((transform_left_filter_column_1_2 / 2) mod 2) = 1 else ((transform_left_filter_column_1_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_130 else (not
-        (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_131 else (not
-        (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_132 else (not
-        (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_133 else (not
-        (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_134 else (not
-        (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_135 else
-        ((transform_left_filter_column_1_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_137 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_choice_137 when
-        ((transform_left_filter_column_1_1 / 2) mod 2) = 1 else ((transform_left_filter_column_1_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_138 else (not
-        (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_139 else (not
-        (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_140 else (not
-        (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_141 else (not
-        (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_142 else (not
-        (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_143 else
-        ((transform_left_filter_column_1_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_145 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_choice_145 when
-        ((transform_left_filter_column_1_0 / 2) mod 2) = 1 else ((transform_left_filter_column_1_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_146 else (not
-        (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_147 else (not
-        (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_148 else (not
-        (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_149 else (not
-        (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_150 else (not
-        (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_151 else
-        ((transform_left_filter_column_1_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_153 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_choice_153 when
-        ((transform_left_filter_column_0_3 / 2) mod 2) = 1 else ((transform_left_filter_column_0_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_154 else (not
-        (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_155 else (not
-        (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_156 else (not
-        (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_157 else (not
-        (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_158 else (not
-        (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_159 else
-        ((transform_left_filter_column_0_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_choice_161 when
-        ((transform_left_filter_column_0_4 / 2) mod 2) = 1 else ((transform_left_filter_column_0_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_162 else (not
-        (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_163 else (not
-        (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_164 else (not
-        (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_165 else (not
-        (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_166 else (not
-        (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_0_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_167 else
-        ((transform_left_filter_column_0_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_choice_169 when
-        ((transform_left_filter_column_0_2 / 2) mod 2) = 1 else ((transform_left_filter_column_0_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_170 else (not
-        (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_171 else (not
-        (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_172 else (not
-        (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_173 else (not
-        (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_174 else (not
-        (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_175 else
-        ((transform_left_filter_column_0_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_177 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_choice_177 when
-        ((transform_left_filter_column_0_1 / 2) mod 2) = 1 else ((transform_left_filter_column_0_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_178 else (not
-        (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_179 else (not
-        (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_180 else (not
-        (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_181 else (not
-        (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_182 else (not
-        (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_183 else
-        ((transform_left_filter_column_0_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_185 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1) when
-        (transform_left_filter_column_2_2 mod 2) = 1 else (transform_left_filter_column_0_0 mod 4) = 0;
-      transform_left_filter_feature_0_choice_186 := ((transform_left_filter_column_2_2 mod 2) = 1) or (not
-        (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1))
-        when transform_left_filter_feature_0_value else transform_left_filter_feature_0_choice_185;
+      if transform_left_filter_feature_0_choice_6 then
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_7 then
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_9 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9;
+      else
+        transform_left_filter_feature_0_choice_10 := ((transform_left_filter_column_4_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_10 then
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_11 then
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_12 then
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_13 then
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_14 then
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_15 then
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_17 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17;
+      else
+        transform_left_filter_feature_0_choice_18 := ((transform_left_filter_column_4_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_18 then
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_19 then
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_20 then
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_21 then
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_22 then
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_23 then
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_4_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_25 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25;
+      else
+        transform_left_filter_feature_0_choice_26 := ((transform_left_filter_column_4_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_26 then
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_27 then
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_28 then
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_29 then
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_30 then
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_31 then
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_4_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_33 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33;
+      else
+        transform_left_filter_feature_0_choice_34 := ((transform_left_filter_column_4_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_34 then
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_35 then
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_36 then
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_37 then
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_38 then
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_39 then
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_4_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_4_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_41 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41;
+      else
+        transform_left_filter_feature_0_choice_42 := ((transform_left_filter_column_3_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_42 then
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_43 then
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_44 then
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_45 then
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_46 then
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_47 then
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_3_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_49 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49;
+      else
+        transform_left_filter_feature_0_choice_50 := ((transform_left_filter_column_3_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_50 then
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_51 then
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_52 then
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_53 then
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_54 then
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_55 then
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_3_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_57 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57;
+      else
+        transform_left_filter_feature_0_choice_58 := ((transform_left_filter_column_3_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_58 then
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_59 then
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_60 then
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_61 then
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_62 then
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_63 then
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_3_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_65 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65;
+      else
+        transform_left_filter_feature_0_choice_66 := ((transform_left_filter_column_3_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_66 then
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_67 then
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_68 then
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_69 then
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_70 then
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_71 then
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_3_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_73 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73;
+      else
+        transform_left_filter_feature_0_choice_74 := ((transform_left_filter_column_3_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_74 then
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_75 then
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_76 then
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_77 then
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_78 then
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_79 then
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_3_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_3_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_81 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81;
+      else
+        transform_left_filter_feature_0_choice_82 := ((transform_left_filter_column_2_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_82 then
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_83 then
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_84 then
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_85 then
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_86 then
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_87 then
+        transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
+          ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
+          (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_2_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_89 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_choice_89;
+      else
+        transform_left_filter_feature_0_choice_90 := ((transform_left_filter_column_2_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_90 then
+        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_91 then
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_92 then
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_93 then
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_94 then
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_95 then
+        transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_2_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_97 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_choice_97;
+      else
+        transform_left_filter_feature_0_choice_98 := ((transform_left_filter_column_2_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_98 then
+        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_99 then
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_100 then
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_101 then
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_102 then
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_103 then
+        transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_2_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_105 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105;
+      else
+        transform_left_filter_feature_0_choice_106 := ((transform_left_filter_column_2_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_106 then
+        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_107 then
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_108 then
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_109 then
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_110 then
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_111 then
+        transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_2_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_113 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_choice_113;
+      else
+        transform_left_filter_feature_0_choice_114 := ((transform_left_filter_column_1_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_114 then
+        transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_115 then
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_116 then
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_117 then
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_118 then
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_119 then
+        transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_1_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_121 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_121 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_choice_121;
+      else
+        transform_left_filter_feature_0_choice_122 := ((transform_left_filter_column_1_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_122 then
+        transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_123 then
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_124 then
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_125 then
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_126 then
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_127 then
+        transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_1_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_1_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_129 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_129 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_choice_129;
+      else
+        transform_left_filter_feature_0_choice_130 := ((transform_left_filter_column_1_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_130 then
+        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_131 then
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_132 then
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_133 then
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_134 then
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_135 then
+        transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_1_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_137 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_137 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_choice_137;
+      else
+        transform_left_filter_feature_0_choice_138 := ((transform_left_filter_column_1_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_138 then
+        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_139 then
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_140 then
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_141 then
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_142 then
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_143 then
+        transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_1_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_145 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_145 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_choice_145;
+      else
+        transform_left_filter_feature_0_choice_146 := ((transform_left_filter_column_1_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_146 then
+        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_147 then
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_148 then
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_149 then
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_150 then
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_151 then
+        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_1_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_153 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_153 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_choice_153;
+      else
+        transform_left_filter_feature_0_choice_154 := ((transform_left_filter_column_0_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_154 then
+        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_155 then
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_156 then
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_157 then
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_158 then
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_159 then
+        transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_0_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_161 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_choice_161;
+      else
+        transform_left_filter_feature_0_choice_162 := ((transform_left_filter_column_0_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_162 then
+        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_163 then
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_164 then
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_165 then
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_166 then
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_167 then
+        transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_0_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_0_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_169 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_choice_169;
+      else
+        transform_left_filter_feature_0_choice_170 := ((transform_left_filter_column_0_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_170 then
+        transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_171 then
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_172 then
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_173 then
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_174 then
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_175 then
+        transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_0_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_177 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_177 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_choice_177;
+      else
+        transform_left_filter_feature_0_choice_178 := ((transform_left_filter_column_0_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_178 then
+        transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_179 then
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_180 then
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_181 then
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_182 then
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_183 then
+        transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_185 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1);
+      else
+        transform_left_filter_feature_0_choice_185 := (transform_left_filter_column_0_0 mod 4) = 0;
+      end if;
+      if transform_left_filter_feature_0_value then
+        transform_left_filter_feature_0_choice_186 := ((transform_left_filter_column_2_2 mod 2) = 1) or (not
+          (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1));
+      else
+        transform_left_filter_feature_0_choice_186 := transform_left_filter_feature_0_choice_185;
+      end if;
       transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_187 := (not transform_left_filter_feature_0_value_2) and
-        transform_left_filter_feature_0_value_7 when transform_left_filter_feature_0_choice_186 else (not
-        transform_left_filter_feature_0_value_2) or transform_left_filter_feature_0_value_7;
+      if transform_left_filter_feature_0_choice_186 then
+        transform_left_filter_feature_0_choice_187 := (not transform_left_filter_feature_0_value_2) and
+          transform_left_filter_feature_0_value_7;
+      else
+        transform_left_filter_feature_0_choice_187 := (not transform_left_filter_feature_0_value_2) or
+          transform_left_filter_feature_0_value_7;
+      end if;
       transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_188 := (not transform_left_filter_feature_0_value_3) or
-        transform_left_filter_feature_0_value_8 when transform_left_filter_feature_0_choice_187 else (not
-        transform_left_filter_feature_0_value_3) and transform_left_filter_feature_0_value_8;
+      if transform_left_filter_feature_0_choice_187 then
+        transform_left_filter_feature_0_choice_188 := (not transform_left_filter_feature_0_value_3) or
+          transform_left_filter_feature_0_value_8;
+      else
+        transform_left_filter_feature_0_choice_188 := (not transform_left_filter_feature_0_value_3) and
+          transform_left_filter_feature_0_value_8;
+      end if;
       transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_189 := (not transform_left_filter_feature_0_value_4) or
-        transform_left_filter_feature_0_value_9 when transform_left_filter_feature_0_choice_188 else (not
-        transform_left_filter_feature_0_value_4) and transform_left_filter_feature_0_value_9;
+      if transform_left_filter_feature_0_choice_188 then
+        transform_left_filter_feature_0_choice_189 := (not transform_left_filter_feature_0_value_4) or
+          transform_left_filter_feature_0_value_9;
+      else
+        transform_left_filter_feature_0_choice_189 := (not transform_left_filter_feature_0_value_4) and
+          transform_left_filter_feature_0_value_9;
+      end if;
       transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_190 := (not transform_left_filter_feature_0_value_5) or
-        transform_left_filter_feature_0_value_10 when transform_left_filter_feature_0_choice_189 else (not
-        transform_left_filter_feature_0_value_5) and transform_left_filter_feature_0_value_10;
+      if transform_left_filter_feature_0_choice_189 then
+        transform_left_filter_feature_0_choice_190 := (not transform_left_filter_feature_0_value_5) or
+          transform_left_filter_feature_0_value_10;
+      else
+        transform_left_filter_feature_0_choice_190 := (not transform_left_filter_feature_0_value_5) and
+          transform_left_filter_feature_0_value_10;
+      end if;
       transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_191 := (not transform_left_filter_feature_0_value_6) or
-        transform_left_filter_feature_0_value_11 when transform_left_filter_feature_0_choice_190 else (not
-        transform_left_filter_feature_0_value_6) and transform_left_filter_feature_0_value_11;
-      transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
-        ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_191 else (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
+      if transform_left_filter_feature_0_choice_190 then
+        transform_left_filter_feature_0_choice_191 := (not transform_left_filter_feature_0_value_6) or
+          transform_left_filter_feature_0_value_11;
+      else
+        transform_left_filter_feature_0_choice_191 := (not transform_left_filter_feature_0_value_6) and
+          transform_left_filter_feature_0_value_11;
+      end if;
+      if transform_left_filter_feature_0_choice_191 then
+        transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
+          ((transform_left_filter_column_0_0 / 128) = 1);
+      else
+        transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) and
+          ((transform_left_filter_column_0_0 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choice_160) * 8) +
           (as_number(transform_left_filter_feature_0_choice_168) * 16) +
@@ -1630,570 +2416,1290 @@ begin
       transform_right_filter_feature_0_value := ((transform_right_filter_column_2_2 / 2) mod 2) = 1;
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
         ((transform_right_filter_column_2_2 mod 2) = 1));
-      transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      if (transform_right_filter_column_4_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
+      end if;
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column_2_2 mod 4) = 0;
-      transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice when
-        ((transform_right_filter_column_4_0 / 2) mod 2) = 1 else ((transform_right_filter_column_4_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
+      if ((transform_right_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      else
+        transform_right_filter_feature_0_choice_2 := ((transform_right_filter_column_4_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
       transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_2_2 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_2 else (not
-        (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choice_2 then
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
       transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_2_2 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_3 else (not
-        (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      if transform_right_filter_feature_0_choice_3 then
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
       transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_2_2 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_4 else (not
-        (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choice_4 then
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
       transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_2_2 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_5 else (not
-        (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      if transform_right_filter_feature_0_choice_5 then
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
       transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_2_2 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_6 else (not
-        (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_7 else
-        ((transform_right_filter_column_4_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9 when
-        ((transform_right_filter_column_4_1 / 2) mod 2) = 1 else ((transform_right_filter_column_4_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_10 else (not
-        (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_11 else (not
-        (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_12 else (not
-        (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_13 else (not
-        (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_14 else (not
-        (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_15 else
-        ((transform_right_filter_column_4_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17 when
-        ((transform_right_filter_column_4_2 / 2) mod 2) = 1 else ((transform_right_filter_column_4_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_18 else (not
-        (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_19 else (not
-        (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_20 else (not
-        (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_21 else (not
-        (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_22 else (not
-        (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_23 else
-        ((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25 when
-        ((transform_right_filter_column_4_3 / 2) mod 2) = 1 else ((transform_right_filter_column_4_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_26 else (not
-        (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_27 else (not
-        (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_28 else (not
-        (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_29 else (not
-        (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_30 else (not
-        (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_31 else
-        ((transform_right_filter_column_4_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33 when
-        ((transform_right_filter_column_4_4 / 2) mod 2) = 1 else ((transform_right_filter_column_4_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_34 else (not
-        (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_35 else (not
-        (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_36 else (not
-        (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_37 else (not
-        (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_38 else (not
-        (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_4_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_39 else
-        ((transform_right_filter_column_4_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41 when
-        ((transform_right_filter_column_3_0 / 2) mod 2) = 1 else ((transform_right_filter_column_3_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_42 else (not
-        (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_43 else (not
-        (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_44 else (not
-        (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_45 else (not
-        (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_46 else (not
-        (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_47 else
-        ((transform_right_filter_column_3_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49 when
-        ((transform_right_filter_column_3_1 / 2) mod 2) = 1 else ((transform_right_filter_column_3_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_50 else (not
-        (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_51 else (not
-        (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_52 else (not
-        (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_53 else (not
-        (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_54 else (not
-        (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_55 else
-        ((transform_right_filter_column_3_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57 when
-        ((transform_right_filter_column_3_2 / 2) mod 2) = 1 else ((transform_right_filter_column_3_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_58 else (not
-        (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_59 else (not
-        (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_60 else (not
-        (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_61 else (not
-        (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_62 else (not
-        (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_63 else
-        ((transform_right_filter_column_3_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65 when
-        ((transform_right_filter_column_3_3 / 2) mod 2) = 1 else ((transform_right_filter_column_3_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_66 else (not
-        (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_67 else (not
-        (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_68 else (not
-        (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_69 else (not
-        (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_70 else (not
-        (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_71 else
-        ((transform_right_filter_column_3_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73 when
-        ((transform_right_filter_column_3_4 / 2) mod 2) = 1 else ((transform_right_filter_column_3_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_74 else (not
-        (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_75 else (not
-        (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_76 else (not
-        (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_77 else (not
-        (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_78 else (not
-        (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_79 else
-        ((transform_right_filter_column_3_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81 when
-        ((transform_right_filter_column_2_4 / 2) mod 2) = 1 else ((transform_right_filter_column_2_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_82 else (not
-        (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_83 else (not
-        (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_84 else (not
-        (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_85 else (not
-        (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_86 else (not
-        (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
-        ((transform_right_filter_column_2_4 / 128) = 1) and (not ((transform_right_filter_column_2_2 / 128) = 1)) when
-        transform_right_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
-        (((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1)));
-      transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_choice_89 when
-        ((transform_right_filter_column_2_1 / 2) mod 2) = 1 else ((transform_right_filter_column_2_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_90 else (not
-        (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_91 else (not
-        (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_92 else (not
-        (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_93 else (not
-        (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_94 else (not
-        (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_95 else
-        ((transform_right_filter_column_2_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97 when
-        ((transform_right_filter_column_2_3 / 2) mod 2) = 1 else ((transform_right_filter_column_2_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_98 else (not
-        (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_99 else (not
-        (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_100 else (not
-        (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_101 else (not
-        (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_102 else (not
-        (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_103 else
-        ((transform_right_filter_column_2_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_choice_105 when
-        ((transform_right_filter_column_2_0 / 2) mod 2) = 1 else ((transform_right_filter_column_2_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_106 else (not
-        (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_107 else (not
-        (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_108 else (not
-        (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_109 else (not
-        (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_110 else (not
-        (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_111 else
-        ((transform_right_filter_column_2_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_113 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_choice_113 when
-        ((transform_right_filter_column_1_3 / 2) mod 2) = 1 else ((transform_right_filter_column_1_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_114 else (not
-        (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_115 else (not
-        (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_116 else (not
-        (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_117 else (not
-        (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_118 else (not
-        (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_119 else
-        ((transform_right_filter_column_1_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_121 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_choice_121 when
-        ((transform_right_filter_column_1_4 / 2) mod 2) = 1 else ((transform_right_filter_column_1_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_122 else (not
-        (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_123 else (not
-        (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_124 else (not
-        (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_125 else (not
-        (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_126 else (not
-        (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_127 else
-        ((transform_right_filter_column_1_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_129 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_choice_129 when
-        ((transform_right_filter_column_1_2 / 2) mod 2) = 1 else ((transform_right_filter_column_1_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_130 else (not
-        (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_131 else (not
-        (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_132 else (not
-        (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_133 else (not
-        (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_134 else (not
-        (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_135 else
-        ((transform_right_filter_column_1_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_choice_137 when
-        ((transform_right_filter_column_1_1 / 2) mod 2) = 1 else ((transform_right_filter_column_1_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_138 else (not
-        (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_139 else (not
-        (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_140 else (not
-        (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_141 else (not
-        (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_142 else (not
-        (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_143 else
-        ((transform_right_filter_column_1_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_145 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_choice_145 when
-        ((transform_right_filter_column_1_0 / 2) mod 2) = 1 else ((transform_right_filter_column_1_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_146 else (not
-        (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_147 else (not
-        (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_148 else (not
-        (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_149 else (not
-        (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_150 else (not
-        (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_151 else
-        ((transform_right_filter_column_1_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_choice_153 when
-        ((transform_right_filter_column_0_3 / 2) mod 2) = 1 else ((transform_right_filter_column_0_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_154 else (not
-        (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_155 else (not
-        (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_156 else (not
-        (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_157 else (not
-        (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_158 else (not
-        (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_159 else
-        ((transform_right_filter_column_0_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161 when
-        ((transform_right_filter_column_0_4 / 2) mod 2) = 1 else ((transform_right_filter_column_0_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_162 else (not
-        (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_163 else (not
-        (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_164 else (not
-        (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_165 else (not
-        (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_166 else (not
-        (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_167 else
-        ((transform_right_filter_column_0_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_choice_169 when
-        ((transform_right_filter_column_0_2 / 2) mod 2) = 1 else ((transform_right_filter_column_0_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_170 else (not
-        (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_171 else (not
-        (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_172 else (not
-        (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_173 else (not
-        (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_174 else (not
-        (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_175 else
-        ((transform_right_filter_column_0_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_177 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_choice_177 when
-        ((transform_right_filter_column_0_1 / 2) mod 2) = 1 else ((transform_right_filter_column_0_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_178 else (not
-        (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_179 else (not
-        (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_180 else (not
-        (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_181 else (not
-        (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_182 else (not
-        (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_183 else
-        ((transform_right_filter_column_0_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_185 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1) when
-        (transform_right_filter_column_2_2 mod 2) = 1 else (transform_right_filter_column_0_0 mod 4) = 0;
-      transform_right_filter_feature_0_choice_186 := ((transform_right_filter_column_2_2 mod 2) = 1) or (not
-        (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) = 1))
-        when transform_right_filter_feature_0_value else transform_right_filter_feature_0_choice_185;
+      if transform_right_filter_feature_0_choice_6 then
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_7 then
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_9 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9;
+      else
+        transform_right_filter_feature_0_choice_10 := ((transform_right_filter_column_4_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_10 then
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_11 then
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_12 then
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_13 then
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_14 then
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_15 then
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_17 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17;
+      else
+        transform_right_filter_feature_0_choice_18 := ((transform_right_filter_column_4_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_18 then
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_19 then
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_20 then
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_21 then
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_22 then
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_23 then
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_4_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_25 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25;
+      else
+        transform_right_filter_feature_0_choice_26 := ((transform_right_filter_column_4_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_26 then
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_27 then
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_28 then
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_29 then
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_30 then
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_31 then
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_4_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_33 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33;
+      else
+        transform_right_filter_feature_0_choice_34 := ((transform_right_filter_column_4_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_34 then
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_35 then
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_36 then
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_37 then
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_38 then
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_39 then
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_4_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_4_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_41 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41;
+      else
+        transform_right_filter_feature_0_choice_42 := ((transform_right_filter_column_3_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_42 then
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_43 then
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_44 then
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_45 then
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_46 then
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_47 then
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_3_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_49 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49;
+      else
+        transform_right_filter_feature_0_choice_50 := ((transform_right_filter_column_3_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_50 then
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_51 then
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_52 then
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_53 then
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_54 then
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_55 then
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_3_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_57 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57;
+      else
+        transform_right_filter_feature_0_choice_58 := ((transform_right_filter_column_3_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_58 then
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_59 then
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_60 then
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_61 then
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_62 then
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_63 then
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_3_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_65 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65;
+      else
+        transform_right_filter_feature_0_choice_66 := ((transform_right_filter_column_3_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_66 then
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_67 then
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_68 then
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_69 then
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_70 then
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_71 then
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_3_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_73 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73;
+      else
+        transform_right_filter_feature_0_choice_74 := ((transform_right_filter_column_3_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_74 then
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_75 then
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_76 then
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_77 then
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_78 then
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_79 then
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_3_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_81 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81;
+      else
+        transform_right_filter_feature_0_choice_82 := ((transform_right_filter_column_2_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_82 then
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_83 then
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_84 then
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_85 then
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_86 then
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_87 then
+        transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
+          ((transform_right_filter_column_2_4 / 128) = 1) and (not ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
+          (((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_2_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_89 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_choice_89;
+      else
+        transform_right_filter_feature_0_choice_90 := ((transform_right_filter_column_2_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_90 then
+        transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_91 then
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_92 then
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_93 then
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_94 then
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_95 then
+        transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_2_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_97 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97;
+      else
+        transform_right_filter_feature_0_choice_98 := ((transform_right_filter_column_2_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_98 then
+        transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_99 then
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_100 then
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_101 then
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_102 then
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_103 then
+        transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_2_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_105 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_choice_105;
+      else
+        transform_right_filter_feature_0_choice_106 := ((transform_right_filter_column_2_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_106 then
+        transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_107 then
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_108 then
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_109 then
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_110 then
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_111 then
+        transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_2_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_113 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_113 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_choice_113;
+      else
+        transform_right_filter_feature_0_choice_114 := ((transform_right_filter_column_1_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_114 then
+        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_115 then
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_116 then
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_117 then
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_118 then
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_119 then
+        transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_1_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_121 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_121 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_choice_121;
+      else
+        transform_right_filter_feature_0_choice_122 := ((transform_right_filter_column_1_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_122 then
+        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_123 then
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_124 then
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_125 then
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_126 then
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_127 then
+        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_1_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_129 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_129 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_choice_129;
+      else
+        transform_right_filter_feature_0_choice_130 := ((transform_right_filter_column_1_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_130 then
+        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_131 then
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_132 then
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_133 then
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_134 then
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_135 then
+        transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_1_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_137 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_choice_137;
+      else
+        transform_right_filter_feature_0_choice_138 := ((transform_right_filter_column_1_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_138 then
+        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_139 then
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_140 then
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_141 then
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_142 then
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_143 then
+        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_1_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_145 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_145 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_choice_145;
+      else
+        transform_right_filter_feature_0_choice_146 := ((transform_right_filter_column_1_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_146 then
+        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_147 then
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_148 then
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_149 then
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_150 then
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_151 then
+        transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_1_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_153 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_choice_153;
+      else
+        transform_right_filter_feature_0_choice_154 := ((transform_right_filter_column_0_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_154 then
+        transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_155 then
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_156 then
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_157 then
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_158 then
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_159 then
+        transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_0_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_161 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161;
+      else
+        transform_right_filter_feature_0_choice_162 := ((transform_right_filter_column_0_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_162 then
+        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_163 then
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_164 then
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_165 then
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_166 then
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_167 then
+        transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_0_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_169 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_choice_169;
+      else
+        transform_right_filter_feature_0_choice_170 := ((transform_right_filter_column_0_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_170 then
+        transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_171 then
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_172 then
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_173 then
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_174 then
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_175 then
+        transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_0_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_177 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_177 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_choice_177;
+      else
+        transform_right_filter_feature_0_choice_178 := ((transform_right_filter_column_0_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_178 then
+        transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_179 then
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_180 then
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_181 then
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_182 then
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_183 then
+        transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_185 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1);
+      else
+        transform_right_filter_feature_0_choice_185 := (transform_right_filter_column_0_0 mod 4) = 0;
+      end if;
+      if transform_right_filter_feature_0_value then
+        transform_right_filter_feature_0_choice_186 := ((transform_right_filter_column_2_2 mod 2) = 1) or (not
+          (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) =
+          1));
+      else
+        transform_right_filter_feature_0_choice_186 := transform_right_filter_feature_0_choice_185;
+      end if;
       transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_187 := (not transform_right_filter_feature_0_value_2) and
-        transform_right_filter_feature_0_value_7 when transform_right_filter_feature_0_choice_186 else (not
-        transform_right_filter_feature_0_value_2) or transform_right_filter_feature_0_value_7;
+      if transform_right_filter_feature_0_choice_186 then
+        transform_right_filter_feature_0_choice_187 := (not transform_right_filter_feature_0_value_2) and
+          transform_right_filter_feature_0_value_7;
+      else
+        transform_right_filter_feature_0_choice_187 := (not transform_right_filter_feature_0_value_2) or
+          transform_right_filter_feature_0_value_7;
+      end if;
       transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_188 := (not transform_right_filter_feature_0_value_3) or
-        transform_right_filter_feature_0_value_8 when transform_right_filter_feature_0_choice_187 else (not
-        transform_right_filter_feature_0_value_3) and transform_right_filter_feature_0_value_8;
+      if transform_right_filter_feature_0_choice_187 then
+        transform_right_filter_feature_0_choice_188 := (not transform_right_filter_feature_0_value_3) or
+          transform_right_filter_feature_0_value_8;
+      else
+        transform_right_filter_feature_0_choice_188 := (not transform_right_filter_feature_0_value_3) and
+          transform_right_filter_feature_0_value_8;
+      end if;
       transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_189 := (not transform_right_filter_feature_0_value_4) or
-        transform_right_filter_feature_0_value_9 when transform_right_filter_feature_0_choice_188 else (not
-        transform_right_filter_feature_0_value_4) and transform_right_filter_feature_0_value_9;
+      if transform_right_filter_feature_0_choice_188 then
+        transform_right_filter_feature_0_choice_189 := (not transform_right_filter_feature_0_value_4) or
+          transform_right_filter_feature_0_value_9;
+      else
+        transform_right_filter_feature_0_choice_189 := (not transform_right_filter_feature_0_value_4) and
+          transform_right_filter_feature_0_value_9;
+      end if;
       transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_190 := (not transform_right_filter_feature_0_value_5) or
-        transform_right_filter_feature_0_value_10 when transform_right_filter_feature_0_choice_189 else (not
-        transform_right_filter_feature_0_value_5) and transform_right_filter_feature_0_value_10;
+      if transform_right_filter_feature_0_choice_189 then
+        transform_right_filter_feature_0_choice_190 := (not transform_right_filter_feature_0_value_5) or
+          transform_right_filter_feature_0_value_10;
+      else
+        transform_right_filter_feature_0_choice_190 := (not transform_right_filter_feature_0_value_5) and
+          transform_right_filter_feature_0_value_10;
+      end if;
       transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_191 := (not transform_right_filter_feature_0_value_6) or
-        transform_right_filter_feature_0_value_11 when transform_right_filter_feature_0_choice_190 else (not
-        transform_right_filter_feature_0_value_6) and transform_right_filter_feature_0_value_11;
-      transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
-        ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_191 else (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
+      if transform_right_filter_feature_0_choice_190 then
+        transform_right_filter_feature_0_choice_191 := (not transform_right_filter_feature_0_value_6) or
+          transform_right_filter_feature_0_value_11;
+      else
+        transform_right_filter_feature_0_choice_191 := (not transform_right_filter_feature_0_value_6) and
+          transform_right_filter_feature_0_value_11;
+      end if;
+      if transform_right_filter_feature_0_choice_191 then
+        transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
+          ((transform_right_filter_column_0_0 / 128) = 1);
+      else
+        transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) and
+          ((transform_right_filter_column_0_0 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choice_160) * 8) +
           (as_number(transform_right_filter_feature_0_choice_168) * 16) +
@@ -2233,8 +3739,6 @@ begin
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice * 4 when in_valid and in_start_of_frame else
-        transform_counter_group_choice_3;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -2252,11 +3756,7 @@ begin
         mod 2) = 1));
       transform_read_column_inside_0 <= (((transform_counter_column / 2) mod 16) /= 0) or ((transform_counter_column /
         32) = 1);
-      transform_read_column_inside_1 <= transform_read_column_inside_1_choice when
-        transform_read_column_inside_1_is_equal else transform_read_column_inside_1_differs;
       transform_read_column_inside_2 <= true;
-      transform_read_column_inside_3 <= transform_read_column_inside_3_choice_2 when
-        transform_read_column_inside_3_choice else transform_read_column_inside_1_differs;
       transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal /=
         transform_read_column_inside_1_differs;
       transform_read_start_of_frame <= (transform_counter_column = 2) and (transform_counter_group = 2);
@@ -2296,18 +3796,6 @@ begin
       transform_columns_column_inside_4 <= transform_ready_column_inside_4;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 524288) +
-        (as_number(transform_left_filter_feature_0_choice_16) * 1048576) +
-        (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
-        (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
-        (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_196
-        when transform_filtering_0_column_inside_4 else transform_left_filter_feature_0_choice_196;
-      transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
-        (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
-        (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
-        (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
-        (as_number(transform_right_filter_feature_0_choice_40) * 8388608) + transform_right_filter_feature_0_choice_196
-        when transform_filtering_0_column_inside_4 else transform_right_filter_feature_0_choice_196;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
@@ -2317,14 +3805,54 @@ begin
       transform_filtering_0_valid <= transform_columns_valid;
       transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
       transform_filtering_1_valid <= transform_filtering_0_valid;
-      transform_counter_next_frame_choice := transform_counter_group_all when in_start_of_frame else
-        transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= transform_counter_group_choice * 4;
+      else
+        transform_counter_group <= transform_counter_group_choice_3;
+      end if;
+      if transform_read_column_inside_1_is_equal then
+        transform_read_column_inside_1 <= transform_read_column_inside_1_choice;
+      else
+        transform_read_column_inside_1 <= transform_read_column_inside_1_differs;
+      end if;
+      if transform_read_column_inside_3_choice then
+        transform_read_column_inside_3 <= transform_read_column_inside_3_choice_2;
+      else
+        transform_read_column_inside_3 <= transform_read_column_inside_1_differs;
+      end if;
+      if transform_filtering_0_column_inside_4 then
+        transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 524288) +
+          (as_number(transform_left_filter_feature_0_choice_16) * 1048576) +
+          (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
+          (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
+          (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_196;
+        transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
+          (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
+          (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
+          (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
+          (as_number(transform_right_filter_feature_0_choice_40) * 8388608) +
+          transform_right_filter_feature_0_choice_196;
+      else
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_196;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_196;
+      end if;
+      if in_start_of_frame then
+        transform_counter_next_frame_choice := transform_counter_group_all;
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_group_is_equal or in_start_of_frame else
-          (transform_counter_column + 1) mod 64;
-        transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
-          in_start_of_frame when transform_counter_group_is_equal and transform_counter_group_is_equal_3 else
-          transform_counter_next_frame_choice;
+        if transform_counter_group_is_equal or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 64;
+        end if;
+        if transform_counter_group_is_equal and transform_counter_group_is_equal_3 then
+          transform_counter_next_frame <= transform_counter_group_is_equal and transform_counter_group_is_equal_2 and
+            in_start_of_frame;
+        else
+          transform_counter_next_frame <= transform_counter_next_frame_choice;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -2334,11 +3862,6 @@ begin
         transform_write_column <= transform_ready_column;
       end if;
       if transform_columns_valid then
-        transform_left_filter_column_0_0 <= transform_left_column_0 when transform_columns_row_inside_0 else 0;
-        transform_left_filter_column_0_1 <= transform_left_column_1 when transform_columns_row_inside_1 else 0;
-        transform_left_filter_column_0_2 <= transform_left_column_2 when transform_columns_row_inside_2 else 0;
-        transform_left_filter_column_0_3 <= transform_left_column_3 when transform_columns_row_inside_3 else 0;
-        transform_left_filter_column_0_4 <= transform_left_column_4 when transform_columns_row_inside_4 else 0;
         transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
         transform_left_filter_column_1_1 <= transform_left_filter_column_0_1;
         transform_left_filter_column_1_2 <= transform_left_filter_column_0_2;
@@ -2359,11 +3882,6 @@ begin
         transform_left_filter_column_4_2 <= transform_left_filter_column_3_2;
         transform_left_filter_column_4_3 <= transform_left_filter_column_3_3;
         transform_left_filter_column_4_4 <= transform_left_filter_column_3_4;
-        transform_right_filter_column_0_0 <= transform_right_column_0 when transform_columns_row_inside_0 else 0;
-        transform_right_filter_column_0_1 <= transform_right_column_1 when transform_columns_row_inside_1 else 0;
-        transform_right_filter_column_0_2 <= transform_right_column_2 when transform_columns_row_inside_2 else 0;
-        transform_right_filter_column_0_3 <= transform_right_column_3 when transform_columns_row_inside_3 else 0;
-        transform_right_filter_column_0_4 <= transform_right_column_4 when transform_columns_row_inside_4 else 0;
         transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
         transform_right_filter_column_1_1 <= transform_right_filter_column_0_1;
         transform_right_filter_column_1_2 <= transform_right_filter_column_0_2;
@@ -2384,39 +3902,105 @@ begin
         transform_right_filter_column_4_2 <= transform_right_filter_column_3_2;
         transform_right_filter_column_4_3 <= transform_right_filter_column_3_3;
         transform_right_filter_column_4_4 <= transform_right_filter_column_3_4;
+        if transform_columns_row_inside_0 then
+          transform_left_filter_column_0_0 <= transform_left_column_0;
+          transform_right_filter_column_0_0 <= transform_right_column_0;
+        else
+          transform_left_filter_column_0_0 <= 0;
+          transform_right_filter_column_0_0 <= 0;
+        end if;
+        if transform_columns_row_inside_1 then
+          transform_left_filter_column_0_1 <= transform_left_column_1;
+          transform_right_filter_column_0_1 <= transform_right_column_1;
+        else
+          transform_left_filter_column_0_1 <= 0;
+          transform_right_filter_column_0_1 <= 0;
+        end if;
+        if transform_columns_row_inside_2 then
+          transform_left_filter_column_0_2 <= transform_left_column_2;
+          transform_right_filter_column_0_2 <= transform_right_column_2;
+        else
+          transform_left_filter_column_0_2 <= 0;
+          transform_right_filter_column_0_2 <= 0;
+        end if;
+        if transform_columns_row_inside_3 then
+          transform_left_filter_column_0_3 <= transform_left_column_3;
+          transform_right_filter_column_0_3 <= transform_right_column_3;
+        else
+          transform_left_filter_column_0_3 <= 0;
+          transform_right_filter_column_0_3 <= 0;
+        end if;
+        if transform_columns_row_inside_4 then
+          transform_left_filter_column_0_4 <= transform_left_column_4;
+          transform_right_filter_column_0_4 <= transform_right_column_4;
+        else
+          transform_left_filter_column_0_4 <= 0;
+          transform_right_filter_column_0_4 <= 0;
+        end if;
       end if;
       -- raster
       raster_place_group_is_equal := raster_place_group = 11;
       raster_place_group_is_equal_2 := raster_place_column = 39;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
-      raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtering_1_valid and (not
-        ((raster_place_group mod 2) = 1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and
-        transform_filtering_1_valid;
-      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
-        (raster_place_group + 1) mod 16;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
-        raster_place_group;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
-        raster_place_next_frame;
-      raster_place_next_frame_choice_3 := transform_filtering_1_valid when raster_place_group_all else
-        transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
-      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
-        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_1_valid and
-        transform_filtering_1_start_of_frame;
+      if raster_place_group_is_equal_3 then
+        raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtering_1_valid and (not
+          ((raster_place_group mod 2) = 1));
+      else
+        raster_place_group_choice_2 := raster_place_group_is_equal_2 and transform_filtering_1_valid;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 12) then
+        raster_place_group_choice_3 := 1;
+      else
+        raster_place_group_choice_3 := (raster_place_group + 1) mod 16;
+      end if;
+      if raster_place_group_choice_2 then
+        raster_place_group_choice_4 := raster_place_group_choice_3;
+      else
+        raster_place_group_choice_4 := raster_place_group;
+      end if;
+      if raster_place_group_is_equal_2 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
+      if raster_place_group_all then
+        raster_place_next_frame_choice_3 := transform_filtering_1_valid;
+      else
+        raster_place_next_frame_choice_3 := transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
+      end if;
+      if raster_place_next_frame_choice_2 then
+        raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3;
+      else
+        raster_place_next_frame_choice_4 := raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          transform_filtering_1_valid and transform_filtering_1_start_of_frame;
+      end if;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_1_valid;
-      raster_place_group <= raster_place_group_choice * 4 when transform_filtering_1_valid and
-        transform_filtering_1_start_of_frame else raster_place_group_choice_4;
       raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_1_valid) and
         raster_place_next_frame);
+      if transform_filtering_1_valid and transform_filtering_1_start_of_frame then
+        raster_place_group <= raster_place_group_choice * 4;
+      else
+        raster_place_group <= raster_place_group_choice_4;
+      end if;
       if transform_filtering_1_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal_2 or transform_filtering_1_start_of_frame else
-          (raster_place_column + 1) mod 64;
+        if raster_place_group_is_equal_2 or transform_filtering_1_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 64;
+        end if;
       end if;
       -- delay
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
@@ -2470,12 +4054,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_inside_2 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_first_cost <= rows_ready_tag_first_cost;
@@ -2483,6 +4061,27 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0;
+        rows_reference_0 <= rows_reference_rows_ready_words_0;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_1;
+        rows_reference_1 <= rows_reference_rows_ready_words_1;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_newest_0;
+        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= rows_search_rows_ready_words_1;
         rows_search_rows_write_words_1 <= rows_search_rows_ready_newest_0;
@@ -3156,16 +4755,6 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        slice0cost_single_0_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
-        slice0cost_single_0_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
-        slice0cost_single_0_4;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
@@ -3173,6 +4762,19 @@ begin
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_column_0_3 <= slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_column_0_4 <= slice0cost_pair_0_4 + slice0cost_single_0_4;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -3874,12 +5476,20 @@ begin
       slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
       slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
       slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_3 + slice1cost_single_0_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_4 + slice1cost_single_0_4;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_column_0_3 <= slice1cost_pair_0_3 + slice1cost_single_0_3;
+        slice1cost_column_0_4 <= slice1cost_pair_0_4 + slice1cost_single_0_4;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -4205,8 +5815,13 @@ begin
       slice2cost_pair_0_1 <= slice2cost_pixels_cost_1_1 + slice2cost_pixels_cost_2_1;
       slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
       slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+      else
+        slice2cost_column_0_0 <= slice2cost_pair_0_0 + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= slice2cost_pair_0_1 + slice2cost_single_0_1;
+      end if;
       -- slice2window
       if slice0_tag_0_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -4223,8 +5838,11 @@ begin
       entry_order_falls_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column) or entry_order_inside;
       entry_order_falls_all := slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside);
       entry_order_complete_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column);
-      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
-        else entry_order_held_output;
+      if entry_order_falls_all then
+        entry_order_turned_output_column_choice := entry_order_output and entry_order_complete;
+      else
+        entry_order_turned_output_column_choice := entry_order_held_output;
+      end if;
       entry_next_cost_0 <= slice0_held_2_0;
       entry_next_cost_1 <= slice0_held_2_1;
       entry_next_cost_2 <= slice0_held_2_2;
@@ -4241,9 +5859,6 @@ begin
       entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_first_column <= slice0_tag_2_first_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
-      entry_order_complete <= entry_order_complete or (slice0_tag_2_valid and slice0_tag_2_map_column) when
-        slice0_tag_2_end_of_line else entry_order_complete and entry_order_complete_any;
       entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
       entry_order_turned_start_of_frame <= slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside)
         and entry_next_top and entry_order_output and entry_order_complete;
@@ -4266,16 +5881,37 @@ begin
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
+      if entry_order_falls then
+        entry_order_falls <= entry_order_falls_any;
+      else
+        entry_order_falls <= entry_order_falls_all;
+      end if;
+      if slice0_tag_2_end_of_line then
+        entry_order_complete <= entry_order_complete or (slice0_tag_2_valid and slice0_tag_2_map_column);
+      else
+        entry_order_complete <= entry_order_complete and entry_order_complete_any;
+      end if;
       if entry_order_falls_all then
         entry_next_top <= slice0_tag_2_start_of_frame;
         entry_order_output <= slice0_tag_2_output_column;
         entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
-      entry_order_address_choice := 31 when entry_order_falls else 1;
-      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if entry_order_falls then
+        entry_order_address_choice := 31;
+      else
+        entry_order_address_choice := 1;
+      end if;
+      if entry_order_falls then
+        entry_order_address_choice_2 := 0;
+      else
+        entry_order_address_choice_2 := 7;
+      end if;
       if not entry_order_complete_any then
-        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
-          else entry_order_address_choice_2 * 4;
+        if entry_order_falls_any then
+          entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32;
+        else
+          entry_order_address <= entry_order_address_choice_2 * 4;
+        end if;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
@@ -4294,97 +5930,305 @@ begin
       forward_pair_cost_10_sum := entry_cost_10 + forward_next_cost_10;
       forward_pair_cost_11_sum := entry_cost_11 + forward_next_cost_11;
       forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 512) / 256) = 1;
-      forward_path_0_choice := forward_dropped_0 when forward_path_0_value else forward_stayed_0;
-      forward_path_0_choice_2 := 0 when forward_next_first else forward_path_0_choice;
+      if forward_path_0_value then
+        forward_path_0_choice := forward_dropped_0;
+      else
+        forward_path_0_choice := forward_stayed_0;
+      end if;
+      if forward_next_first then
+        forward_path_0_choice_2 := 0;
+      else
+        forward_path_0_choice_2 := forward_path_0_choice;
+      end if;
       forward_path_1_any := (not ((((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1));
       forward_path_1_value := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
-      forward_path_1_choice := forward_dropped_1 when forward_path_1_value else forward_stayed_1;
-      forward_path_1_choice_2 := forward_path_1_choice when forward_path_1_any else forward_occluding_0;
-      forward_path_1_choice_3 := 0 when forward_next_first else forward_path_1_choice_2;
+      if forward_path_1_value then
+        forward_path_1_choice := forward_dropped_1;
+      else
+        forward_path_1_choice := forward_stayed_1;
+      end if;
+      if forward_path_1_any then
+        forward_path_1_choice_2 := forward_path_1_choice;
+      else
+        forward_path_1_choice_2 := forward_occluding_0;
+      end if;
+      if forward_next_first then
+        forward_path_1_choice_3 := 0;
+      else
+        forward_path_1_choice_3 := forward_path_1_choice_2;
+      end if;
       forward_path_2_any := (not ((((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1));
       forward_path_2_value := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
-      forward_path_2_choice := forward_dropped_2 when forward_path_2_value else forward_stayed_2;
-      forward_path_2_choice_2 := forward_path_2_choice when forward_path_2_any else forward_occluding_1;
-      forward_path_2_choice_3 := 0 when forward_next_first else forward_path_2_choice_2;
+      if forward_path_2_value then
+        forward_path_2_choice := forward_dropped_2;
+      else
+        forward_path_2_choice := forward_stayed_2;
+      end if;
+      if forward_path_2_any then
+        forward_path_2_choice_2 := forward_path_2_choice;
+      else
+        forward_path_2_choice_2 := forward_occluding_1;
+      end if;
+      if forward_next_first then
+        forward_path_2_choice_3 := 0;
+      else
+        forward_path_2_choice_3 := forward_path_2_choice_2;
+      end if;
       forward_path_3_any := (not ((((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1));
       forward_path_3_value := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
-      forward_path_3_choice := forward_dropped_3 when forward_path_3_value else forward_stayed_3;
-      forward_path_3_choice_2 := forward_path_3_choice when forward_path_3_any else forward_occluding_2;
-      forward_path_3_choice_3 := 0 when forward_next_first else forward_path_3_choice_2;
+      if forward_path_3_value then
+        forward_path_3_choice := forward_dropped_3;
+      else
+        forward_path_3_choice := forward_stayed_3;
+      end if;
+      if forward_path_3_any then
+        forward_path_3_choice_2 := forward_path_3_choice;
+      else
+        forward_path_3_choice_2 := forward_occluding_2;
+      end if;
+      if forward_next_first then
+        forward_path_3_choice_3 := 0;
+      else
+        forward_path_3_choice_3 := forward_path_3_choice_2;
+      end if;
       forward_path_4_any := (not ((((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1));
       forward_path_4_value := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
-      forward_path_4_choice := forward_dropped_4 when forward_path_4_value else forward_stayed_4;
-      forward_path_4_choice_2 := forward_path_4_choice when forward_path_4_any else forward_occluding_3;
-      forward_path_4_choice_3 := 0 when forward_next_first else forward_path_4_choice_2;
+      if forward_path_4_value then
+        forward_path_4_choice := forward_dropped_4;
+      else
+        forward_path_4_choice := forward_stayed_4;
+      end if;
+      if forward_path_4_any then
+        forward_path_4_choice_2 := forward_path_4_choice;
+      else
+        forward_path_4_choice_2 := forward_occluding_3;
+      end if;
+      if forward_next_first then
+        forward_path_4_choice_3 := 0;
+      else
+        forward_path_4_choice_3 := forward_path_4_choice_2;
+      end if;
       forward_path_5_any := (not ((((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1));
       forward_path_5_value := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
-      forward_path_5_choice := forward_dropped_5 when forward_path_5_value else forward_stayed_5;
-      forward_path_5_choice_2 := forward_path_5_choice when forward_path_5_any else forward_occluding_4;
-      forward_path_5_choice_3 := 0 when forward_next_first else forward_path_5_choice_2;
+      if forward_path_5_value then
+        forward_path_5_choice := forward_dropped_5;
+      else
+        forward_path_5_choice := forward_stayed_5;
+      end if;
+      if forward_path_5_any then
+        forward_path_5_choice_2 := forward_path_5_choice;
+      else
+        forward_path_5_choice_2 := forward_occluding_4;
+      end if;
+      if forward_next_first then
+        forward_path_5_choice_3 := 0;
+      else
+        forward_path_5_choice_3 := forward_path_5_choice_2;
+      end if;
       forward_path_6_any := (not ((((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1));
       forward_path_6_value := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
-      forward_path_6_choice := forward_dropped_6 when forward_path_6_value else forward_stayed_6;
-      forward_path_6_choice_2 := forward_path_6_choice when forward_path_6_any else forward_occluding_5;
-      forward_path_6_choice_3 := 0 when forward_next_first else forward_path_6_choice_2;
+      if forward_path_6_value then
+        forward_path_6_choice := forward_dropped_6;
+      else
+        forward_path_6_choice := forward_stayed_6;
+      end if;
+      if forward_path_6_any then
+        forward_path_6_choice_2 := forward_path_6_choice;
+      else
+        forward_path_6_choice_2 := forward_occluding_5;
+      end if;
+      if forward_next_first then
+        forward_path_6_choice_3 := 0;
+      else
+        forward_path_6_choice_3 := forward_path_6_choice_2;
+      end if;
       forward_path_7_any := (not ((((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1));
       forward_path_7_value := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
-      forward_path_7_choice := forward_dropped_7 when forward_path_7_value else forward_stayed_7;
-      forward_path_7_choice_2 := forward_path_7_choice when forward_path_7_any else forward_occluding_6;
-      forward_path_7_choice_3 := 0 when forward_next_first else forward_path_7_choice_2;
+      if forward_path_7_value then
+        forward_path_7_choice := forward_dropped_7;
+      else
+        forward_path_7_choice := forward_stayed_7;
+      end if;
+      if forward_path_7_any then
+        forward_path_7_choice_2 := forward_path_7_choice;
+      else
+        forward_path_7_choice_2 := forward_occluding_6;
+      end if;
+      if forward_next_first then
+        forward_path_7_choice_3 := 0;
+      else
+        forward_path_7_choice_3 := forward_path_7_choice_2;
+      end if;
       forward_path_8_any := (not ((((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1));
       forward_path_8_value := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
-      forward_path_8_choice := forward_dropped_8 when forward_path_8_value else forward_stayed_8;
-      forward_path_8_choice_2 := forward_path_8_choice when forward_path_8_any else forward_occluding_7;
-      forward_path_8_choice_3 := 0 when forward_next_first else forward_path_8_choice_2;
+      if forward_path_8_value then
+        forward_path_8_choice := forward_dropped_8;
+      else
+        forward_path_8_choice := forward_stayed_8;
+      end if;
+      if forward_path_8_any then
+        forward_path_8_choice_2 := forward_path_8_choice;
+      else
+        forward_path_8_choice_2 := forward_occluding_7;
+      end if;
+      if forward_next_first then
+        forward_path_8_choice_3 := 0;
+      else
+        forward_path_8_choice_3 := forward_path_8_choice_2;
+      end if;
       forward_path_9_any := (not ((((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1));
       forward_path_9_value := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
-      forward_path_9_choice := forward_dropped_9 when forward_path_9_value else forward_stayed_9;
-      forward_path_9_choice_2 := forward_path_9_choice when forward_path_9_any else forward_occluding_8;
-      forward_path_9_choice_3 := 0 when forward_next_first else forward_path_9_choice_2;
+      if forward_path_9_value then
+        forward_path_9_choice := forward_dropped_9;
+      else
+        forward_path_9_choice := forward_stayed_9;
+      end if;
+      if forward_path_9_any then
+        forward_path_9_choice_2 := forward_path_9_choice;
+      else
+        forward_path_9_choice_2 := forward_occluding_8;
+      end if;
+      if forward_next_first then
+        forward_path_9_choice_3 := 0;
+      else
+        forward_path_9_choice_3 := forward_path_9_choice_2;
+      end if;
       forward_path_10_any := (not ((((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1));
       forward_path_10_value := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
-      forward_path_10_choice := forward_dropped_10 when forward_path_10_value else forward_stayed_10;
-      forward_path_10_choice_2 := forward_path_10_choice when forward_path_10_any else forward_occluding_9;
-      forward_path_10_choice_3 := 0 when forward_next_first else forward_path_10_choice_2;
+      if forward_path_10_value then
+        forward_path_10_choice := forward_dropped_10;
+      else
+        forward_path_10_choice := forward_stayed_10;
+      end if;
+      if forward_path_10_any then
+        forward_path_10_choice_2 := forward_path_10_choice;
+      else
+        forward_path_10_choice_2 := forward_occluding_9;
+      end if;
+      if forward_next_first then
+        forward_path_10_choice_3 := 0;
+      else
+        forward_path_10_choice_3 := forward_path_10_choice_2;
+      end if;
       forward_path_11_any := (not ((((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1));
       forward_path_11_value := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
-      forward_path_11_choice := forward_dropped_11 when forward_path_11_value else forward_stayed_11;
-      forward_path_11_choice_2 := forward_path_11_choice when forward_path_11_any else forward_occluding_10;
-      forward_path_11_choice_3 := 0 when forward_next_first else forward_path_11_choice_2;
+      if forward_path_11_value then
+        forward_path_11_choice := forward_dropped_11;
+      else
+        forward_path_11_choice := forward_stayed_11;
+      end if;
+      if forward_path_11_any then
+        forward_path_11_choice_2 := forward_path_11_choice;
+      else
+        forward_path_11_choice_2 := forward_occluding_10;
+      end if;
+      if forward_next_first then
+        forward_path_11_choice_3 := 0;
+      else
+        forward_path_11_choice_3 := forward_path_11_choice_2;
+      end if;
       forward_dropped_0_value := (((forward_path_6 - forward_path_1) mod 512) / 256) = 1;
-      forward_dropped_0_choice := forward_path_6 when forward_dropped_0_value else forward_path_1;
+      if forward_dropped_0_value then
+        forward_dropped_0_choice := forward_path_6;
+      else
+        forward_dropped_0_choice := forward_path_1;
+      end if;
       forward_dropped_1_value := (((forward_path_7 - forward_path_2) mod 512) / 256) = 1;
-      forward_dropped_1_choice := forward_path_7 when forward_dropped_1_value else forward_path_2;
+      if forward_dropped_1_value then
+        forward_dropped_1_choice := forward_path_7;
+      else
+        forward_dropped_1_choice := forward_path_2;
+      end if;
       forward_dropped_2_value := (((forward_path_8 - forward_path_3) mod 512) / 256) = 1;
-      forward_dropped_2_choice := forward_path_8 when forward_dropped_2_value else forward_path_3;
+      if forward_dropped_2_value then
+        forward_dropped_2_choice := forward_path_8;
+      else
+        forward_dropped_2_choice := forward_path_3;
+      end if;
       forward_dropped_3_value := (((forward_path_9 - forward_path_4) mod 512) / 256) = 1;
-      forward_dropped_3_choice := forward_path_9 when forward_dropped_3_value else forward_path_4;
+      if forward_dropped_3_value then
+        forward_dropped_3_choice := forward_path_9;
+      else
+        forward_dropped_3_choice := forward_path_4;
+      end if;
       forward_dropped_4_value := (((forward_path_10 - forward_path_5) mod 512) / 256) = 1;
-      forward_dropped_4_choice := forward_path_10 when forward_dropped_4_value else forward_path_5;
+      if forward_dropped_4_value then
+        forward_dropped_4_choice := forward_path_10;
+      else
+        forward_dropped_4_choice := forward_path_5;
+      end if;
       forward_dropped_5_value := (((forward_path_11 - forward_path_6) mod 512) / 256) = 1;
-      forward_dropped_5_choice := forward_path_11 when forward_dropped_5_value else forward_path_6;
-      forward_decision_0_choice := 2 when forward_far_0 else 1;
-      forward_decision_1_choice := 2 when forward_far_1 else 1;
-      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value else 0;
-      forward_decision_2_choice := 2 when forward_far_2 else 1;
-      forward_decision_2_choice_2 := forward_decision_2_choice when forward_path_2_value else 0;
-      forward_decision_3_choice := 2 when forward_far_3 else 1;
-      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value else 0;
-      forward_decision_4_choice := 2 when forward_far_4 else 1;
-      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value else 0;
-      forward_decision_5_choice := 2 when forward_far_5 else 1;
-      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value else 0;
+      if forward_dropped_5_value then
+        forward_dropped_5_choice := forward_path_11;
+      else
+        forward_dropped_5_choice := forward_path_6;
+      end if;
+      if forward_far_0 then
+        forward_decision_0_choice := 2;
+      else
+        forward_decision_0_choice := 1;
+      end if;
+      if forward_far_1 then
+        forward_decision_1_choice := 2;
+      else
+        forward_decision_1_choice := 1;
+      end if;
+      if forward_path_1_value then
+        forward_decision_1_choice_2 := forward_decision_1_choice;
+      else
+        forward_decision_1_choice_2 := 0;
+      end if;
+      if forward_far_2 then
+        forward_decision_2_choice := 2;
+      else
+        forward_decision_2_choice := 1;
+      end if;
+      if forward_path_2_value then
+        forward_decision_2_choice_2 := forward_decision_2_choice;
+      else
+        forward_decision_2_choice_2 := 0;
+      end if;
+      if forward_far_3 then
+        forward_decision_3_choice := 2;
+      else
+        forward_decision_3_choice := 1;
+      end if;
+      if forward_path_3_value then
+        forward_decision_3_choice_2 := forward_decision_3_choice;
+      else
+        forward_decision_3_choice_2 := 0;
+      end if;
+      if forward_far_4 then
+        forward_decision_4_choice := 2;
+      else
+        forward_decision_4_choice := 1;
+      end if;
+      if forward_path_4_value then
+        forward_decision_4_choice_2 := forward_decision_4_choice;
+      else
+        forward_decision_4_choice_2 := 0;
+      end if;
+      if forward_far_5 then
+        forward_decision_5_choice := 2;
+      else
+        forward_decision_5_choice := 1;
+      end if;
+      if forward_path_5_value then
+        forward_decision_5_choice_2 := forward_decision_5_choice;
+      else
+        forward_decision_5_choice_2 := 0;
+      end if;
       if entry_tag_valid then
         forward_next_cost_0 <= entry_cost_0;
         forward_next_cost_1 <= entry_cost_1;
@@ -4435,59 +6279,168 @@ begin
         forward_stayed_9 <= (forward_path_9_choice_3 + forward_next_cost_9) mod 512;
         forward_stayed_10 <= (forward_path_10_choice_3 + forward_next_cost_10) mod 512;
         forward_stayed_11 <= (forward_path_11_choice_3 + forward_next_cost_11) mod 512;
-        forward_occluding_0 <= 128 when forward_next_first else (forward_path_0_choice_2 + 7) mod 512;
-        forward_occluding_1 <= 128 when forward_next_first else (forward_path_1_choice_3 + 7) mod 512;
-        forward_occluding_2 <= 128 when forward_next_first else (forward_path_2_choice_3 + 7) mod 512;
-        forward_occluding_3 <= 128 when forward_next_first else (forward_path_3_choice_3 + 7) mod 512;
-        forward_occluding_4 <= 128 when forward_next_first else (forward_path_4_choice_3 + 7) mod 512;
-        forward_occluding_5 <= 128 when forward_next_first else (forward_path_5_choice_3 + 7) mod 512;
-        forward_occluding_6 <= 128 when forward_next_first else (forward_path_6_choice_3 + 7) mod 512;
-        forward_occluding_7 <= 128 when forward_next_first else (forward_path_7_choice_3 + 7) mod 512;
-        forward_occluding_8 <= 128 when forward_next_first else (forward_path_8_choice_3 + 7) mod 512;
-        forward_occluding_9 <= 128 when forward_next_first else (forward_path_9_choice_3 + 7) mod 512;
-        forward_occluding_10 <= 128 when forward_next_first else (forward_path_10_choice_3 + 7) mod 512;
-        forward_dropped_0 <= 128 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod 512;
-        forward_dropped_1 <= 128 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod 512;
-        forward_dropped_2 <= 128 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod 512;
-        forward_dropped_3 <= 128 when forward_next_first else (forward_pair_cost_3 + forward_dropped_3_choice) mod 512;
-        forward_dropped_4 <= 128 when forward_next_first else (forward_pair_cost_4 + forward_dropped_4_choice) mod 512;
-        forward_dropped_5 <= 128 when forward_next_first else (forward_pair_cost_5 + forward_dropped_5_choice) mod 512;
-        forward_dropped_6 <= 128 when forward_next_first else (forward_pair_cost_6 + forward_path_7) mod 512;
-        forward_dropped_7 <= 128 when forward_next_first else (forward_pair_cost_7 + forward_path_8) mod 512;
-        forward_dropped_8 <= 128 when forward_next_first else (forward_pair_cost_8 + forward_path_9) mod 512;
-        forward_dropped_9 <= 128 when forward_next_first else (forward_pair_cost_9 + forward_path_10) mod 512;
-        forward_dropped_10 <= 128 when forward_next_first else (forward_pair_cost_10 + forward_path_11) mod 512;
-        forward_dropped_11 <= 128 when forward_next_first else (forward_pair_cost_11 + forward_path_11) mod 512;
         forward_far_0 <= forward_dropped_0_value and (not forward_next_first);
-        forward_decision_0 <= forward_decision_0_choice when forward_path_0_value else 0;
-        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_any else 3;
-        forward_decision_2 <= forward_decision_2_choice_2 when forward_path_2_any else 3;
-        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_any else 3;
-        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_any else 3;
-        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_any else 3;
-        forward_decision_6 <= as_number(forward_path_6_value) when forward_path_6_any else 3;
-        forward_decision_7 <= as_number(forward_path_7_value) when forward_path_7_any else 3;
-        forward_decision_8 <= as_number(forward_path_8_value) when forward_path_8_any else 3;
-        forward_decision_9 <= as_number(forward_path_9_value) when forward_path_9_any else 3;
-        forward_decision_10 <= as_number(forward_path_10_value) when forward_path_10_any else 3;
-        forward_decision_11 <= as_number(forward_path_11_value) when forward_path_11_any else 3;
+        if forward_next_first then
+          forward_occluding_0 <= 128;
+          forward_occluding_1 <= 128;
+          forward_occluding_2 <= 128;
+          forward_occluding_3 <= 128;
+          forward_occluding_4 <= 128;
+          forward_occluding_5 <= 128;
+          forward_occluding_6 <= 128;
+          forward_occluding_7 <= 128;
+          forward_occluding_8 <= 128;
+          forward_occluding_9 <= 128;
+          forward_occluding_10 <= 128;
+          forward_dropped_0 <= 128;
+          forward_dropped_1 <= 128;
+          forward_dropped_2 <= 128;
+          forward_dropped_3 <= 128;
+          forward_dropped_4 <= 128;
+          forward_dropped_5 <= 128;
+          forward_dropped_6 <= 128;
+          forward_dropped_7 <= 128;
+          forward_dropped_8 <= 128;
+          forward_dropped_9 <= 128;
+          forward_dropped_10 <= 128;
+          forward_dropped_11 <= 128;
+        else
+          forward_occluding_0 <= (forward_path_0_choice_2 + 7) mod 512;
+          forward_occluding_1 <= (forward_path_1_choice_3 + 7) mod 512;
+          forward_occluding_2 <= (forward_path_2_choice_3 + 7) mod 512;
+          forward_occluding_3 <= (forward_path_3_choice_3 + 7) mod 512;
+          forward_occluding_4 <= (forward_path_4_choice_3 + 7) mod 512;
+          forward_occluding_5 <= (forward_path_5_choice_3 + 7) mod 512;
+          forward_occluding_6 <= (forward_path_6_choice_3 + 7) mod 512;
+          forward_occluding_7 <= (forward_path_7_choice_3 + 7) mod 512;
+          forward_occluding_8 <= (forward_path_8_choice_3 + 7) mod 512;
+          forward_occluding_9 <= (forward_path_9_choice_3 + 7) mod 512;
+          forward_occluding_10 <= (forward_path_10_choice_3 + 7) mod 512;
+          forward_dropped_0 <= (forward_pair_cost_0 + forward_dropped_0_choice) mod 512;
+          forward_dropped_1 <= (forward_pair_cost_1 + forward_dropped_1_choice) mod 512;
+          forward_dropped_2 <= (forward_pair_cost_2 + forward_dropped_2_choice) mod 512;
+          forward_dropped_3 <= (forward_pair_cost_3 + forward_dropped_3_choice) mod 512;
+          forward_dropped_4 <= (forward_pair_cost_4 + forward_dropped_4_choice) mod 512;
+          forward_dropped_5 <= (forward_pair_cost_5 + forward_dropped_5_choice) mod 512;
+          forward_dropped_6 <= (forward_pair_cost_6 + forward_path_7) mod 512;
+          forward_dropped_7 <= (forward_pair_cost_7 + forward_path_8) mod 512;
+          forward_dropped_8 <= (forward_pair_cost_8 + forward_path_9) mod 512;
+          forward_dropped_9 <= (forward_pair_cost_9 + forward_path_10) mod 512;
+          forward_dropped_10 <= (forward_pair_cost_10 + forward_path_11) mod 512;
+          forward_dropped_11 <= (forward_pair_cost_11 + forward_path_11) mod 512;
+        end if;
+        if forward_path_0_value then
+          forward_decision_0 <= forward_decision_0_choice;
+        else
+          forward_decision_0 <= 0;
+        end if;
+        if forward_path_1_any then
+          forward_decision_1 <= forward_decision_1_choice_2;
+        else
+          forward_decision_1 <= 3;
+        end if;
+        if forward_path_2_any then
+          forward_decision_2 <= forward_decision_2_choice_2;
+        else
+          forward_decision_2 <= 3;
+        end if;
+        if forward_path_3_any then
+          forward_decision_3 <= forward_decision_3_choice_2;
+        else
+          forward_decision_3 <= 3;
+        end if;
+        if forward_path_4_any then
+          forward_decision_4 <= forward_decision_4_choice_2;
+        else
+          forward_decision_4 <= 3;
+        end if;
+        if forward_path_5_any then
+          forward_decision_5 <= forward_decision_5_choice_2;
+        else
+          forward_decision_5 <= 3;
+        end if;
+        if forward_path_6_any then
+          forward_decision_6 <= as_number(forward_path_6_value);
+        else
+          forward_decision_6 <= 3;
+        end if;
+        if forward_path_7_any then
+          forward_decision_7 <= as_number(forward_path_7_value);
+        else
+          forward_decision_7 <= 3;
+        end if;
+        if forward_path_8_any then
+          forward_decision_8 <= as_number(forward_path_8_value);
+        else
+          forward_decision_8 <= 3;
+        end if;
+        if forward_path_9_any then
+          forward_decision_9 <= as_number(forward_path_9_value);
+        else
+          forward_decision_9 <= 3;
+        end if;
+        if forward_path_10_any then
+          forward_decision_10 <= as_number(forward_path_10_value);
+        else
+          forward_decision_10 <= 3;
+        end if;
+        if forward_path_11_any then
+          forward_decision_11 <= as_number(forward_path_11_value);
+        else
+          forward_decision_11 <= 3;
+        end if;
       end if;
       forward_far_1_any := (not entry_tag_valid) or (not forward_next_first);
-      forward_far_1_choice := forward_far_1_any when forward_dropped_1_value else not entry_tag_valid;
-      forward_far_2_choice := forward_far_1_any when forward_dropped_2_value else not entry_tag_valid;
-      forward_far_3_choice := forward_far_1_any when forward_dropped_3_value else not entry_tag_valid;
-      forward_far_4_choice := forward_far_1_any when forward_dropped_4_value else not entry_tag_valid;
-      forward_far_5_choice := forward_far_1_any when forward_dropped_5_value else not entry_tag_valid;
-      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and entry_tag_valid and
-        (not forward_next_first);
+      if forward_dropped_1_value then
+        forward_far_1_choice := forward_far_1_any;
+      else
+        forward_far_1_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_2_value then
+        forward_far_2_choice := forward_far_1_any;
+      else
+        forward_far_2_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_3_value then
+        forward_far_3_choice := forward_far_1_any;
+      else
+        forward_far_3_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_4_value then
+        forward_far_4_choice := forward_far_1_any;
+      else
+        forward_far_4_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_5_value then
+        forward_far_5_choice := forward_far_1_any;
+      else
+        forward_far_5_choice := not entry_tag_valid;
+      end if;
+      if forward_far_1 then
+        forward_far_1 <= forward_far_1_choice;
+      else
+        forward_far_1 <= forward_dropped_1_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_2 then
+        forward_far_2 <= forward_far_2_choice;
+      else
+        forward_far_2 <= forward_dropped_2_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_3 then
+        forward_far_3 <= forward_far_3_choice;
+      else
+        forward_far_3 <= forward_dropped_3_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_4 then
+        forward_far_4 <= forward_far_4_choice;
+      else
+        forward_far_4 <= forward_dropped_4_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_5 then
+        forward_far_5 <= forward_far_5_choice;
+      else
+        forward_far_5 <= forward_dropped_5_value and entry_tag_valid and (not forward_next_first);
+      end if;
       -- decisions
       if entry_tag_valid then
         decisions_ready_decision_0 <= to_integer(decisions_read_words_0(1 downto 0));
@@ -4554,57 +6507,101 @@ begin
       lastwinner1_best_cost_0_3_is_less := (last_path_0_7 - last_path_0_6) < 0;
       lastwinner1_best_cost_0_4_is_less := (last_path_0_9 - last_path_0_8) < 0;
       lastwinner1_best_cost_0_5_is_less := (last_path_0_11 - last_path_0_10) < 0;
-      lastwinner1_best_cost_0_0 <= last_path_0_1 when lastwinner1_best_cost_0_0_is_less else last_path_0_0;
-      lastwinner1_best_cost_0_1 <= last_path_0_3 when lastwinner1_best_cost_0_1_is_less else last_path_0_2;
-      lastwinner1_best_cost_0_2 <= last_path_0_5 when lastwinner1_best_cost_0_2_is_less else last_path_0_4;
-      lastwinner1_best_cost_0_3 <= last_path_0_7 when lastwinner1_best_cost_0_3_is_less else last_path_0_6;
-      lastwinner1_best_cost_0_4 <= last_path_0_9 when lastwinner1_best_cost_0_4_is_less else last_path_0_8;
-      lastwinner1_best_cost_0_5 <= last_path_0_11 when lastwinner1_best_cost_0_5_is_less else last_path_0_10;
       lastwinner1_best_index_0_0 <= lastwinner1_best_cost_0_0_is_less;
-      lastwinner1_best_index_0_1 <= 3 when lastwinner1_best_cost_0_1_is_less else 2;
-      lastwinner1_best_index_0_2 <= 5 when lastwinner1_best_cost_0_2_is_less else 4;
-      lastwinner1_best_index_0_3 <= 7 when lastwinner1_best_cost_0_3_is_less else 6;
-      lastwinner1_best_index_0_4 <= 9 when lastwinner1_best_cost_0_4_is_less else 8;
-      lastwinner1_best_index_0_5 <= 11 when lastwinner1_best_cost_0_5_is_less else 10;
       lastwinner1_tag_valid <= last_tag_valid;
       lastwinner1_tag_map_column <= last_tag_map_column;
       lastwinner1_tag_end_of_line <= last_tag_end_of_line;
+      if lastwinner1_best_cost_0_0_is_less then
+        lastwinner1_best_cost_0_0 <= last_path_0_1;
+      else
+        lastwinner1_best_cost_0_0 <= last_path_0_0;
+      end if;
+      if lastwinner1_best_cost_0_1_is_less then
+        lastwinner1_best_cost_0_1 <= last_path_0_3;
+        lastwinner1_best_index_0_1 <= 3;
+      else
+        lastwinner1_best_cost_0_1 <= last_path_0_2;
+        lastwinner1_best_index_0_1 <= 2;
+      end if;
+      if lastwinner1_best_cost_0_2_is_less then
+        lastwinner1_best_cost_0_2 <= last_path_0_5;
+        lastwinner1_best_index_0_2 <= 5;
+      else
+        lastwinner1_best_cost_0_2 <= last_path_0_4;
+        lastwinner1_best_index_0_2 <= 4;
+      end if;
+      if lastwinner1_best_cost_0_3_is_less then
+        lastwinner1_best_cost_0_3 <= last_path_0_7;
+        lastwinner1_best_index_0_3 <= 7;
+      else
+        lastwinner1_best_cost_0_3 <= last_path_0_6;
+        lastwinner1_best_index_0_3 <= 6;
+      end if;
+      if lastwinner1_best_cost_0_4_is_less then
+        lastwinner1_best_cost_0_4 <= last_path_0_9;
+        lastwinner1_best_index_0_4 <= 9;
+      else
+        lastwinner1_best_cost_0_4 <= last_path_0_8;
+        lastwinner1_best_index_0_4 <= 8;
+      end if;
+      if lastwinner1_best_cost_0_5_is_less then
+        lastwinner1_best_cost_0_5 <= last_path_0_11;
+        lastwinner1_best_index_0_5 <= 11;
+      else
+        lastwinner1_best_cost_0_5 <= last_path_0_10;
+        lastwinner1_best_index_0_5 <= 10;
+      end if;
       -- lastwinner2
       lastwinner2_best_cost_0_0_is_less := (lastwinner1_best_cost_0_1 - lastwinner1_best_cost_0_0) < 0;
       lastwinner2_best_cost_0_1_is_less := (lastwinner1_best_cost_0_3 - lastwinner1_best_cost_0_2) < 0;
       lastwinner2_best_cost_0_2_is_less := (lastwinner1_best_cost_0_5 - lastwinner1_best_cost_0_4) < 0;
-      lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1 when lastwinner2_best_cost_0_0_is_less else
-        lastwinner1_best_cost_0_0;
-      lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3 when lastwinner2_best_cost_0_1_is_less else
-        lastwinner1_best_cost_0_2;
-      lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_5 when lastwinner2_best_cost_0_2_is_less else
-        lastwinner1_best_cost_0_4;
-      lastwinner2_best_index_0_0 <= lastwinner1_best_index_0_1 when lastwinner2_best_cost_0_0_is_less else
-        as_number(lastwinner1_best_index_0_0);
-      lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_3 when lastwinner2_best_cost_0_1_is_less else
-        lastwinner1_best_index_0_2;
-      lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_5 when lastwinner2_best_cost_0_2_is_less else
-        lastwinner1_best_index_0_4;
       lastwinner2_tag_valid <= lastwinner1_tag_valid;
       lastwinner2_tag_map_column <= lastwinner1_tag_map_column;
       lastwinner2_tag_end_of_line <= lastwinner1_tag_end_of_line;
+      if lastwinner2_best_cost_0_0_is_less then
+        lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1;
+        lastwinner2_best_index_0_0 <= lastwinner1_best_index_0_1;
+      else
+        lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_0;
+        lastwinner2_best_index_0_0 <= as_number(lastwinner1_best_index_0_0);
+      end if;
+      if lastwinner2_best_cost_0_1_is_less then
+        lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3;
+        lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_3;
+      else
+        lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_2;
+        lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_2;
+      end if;
+      if lastwinner2_best_cost_0_2_is_less then
+        lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_5;
+        lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_5;
+      else
+        lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_4;
+        lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_4;
+      end if;
       -- lastwinner3
       lastwinner3_best_cost_0_0_is_less := (lastwinner2_best_cost_0_1 - lastwinner2_best_cost_0_0) < 0;
-      lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1 when lastwinner3_best_cost_0_0_is_less else
-        lastwinner2_best_cost_0_0;
       lastwinner3_best_cost_0_1 <= lastwinner2_best_cost_0_2;
-      lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_1 when lastwinner3_best_cost_0_0_is_less else
-        lastwinner2_best_index_0_0;
       lastwinner3_best_index_0_1 <= lastwinner2_best_index_0_2;
       lastwinner3_tag_valid <= lastwinner2_tag_valid;
       lastwinner3_tag_map_column <= lastwinner2_tag_map_column;
       lastwinner3_tag_end_of_line <= lastwinner2_tag_end_of_line;
+      if lastwinner3_best_cost_0_0_is_less then
+        lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1;
+        lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_1;
+      else
+        lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_0;
+        lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_0;
+      end if;
       -- lastwinner4
-      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when (lastwinner3_best_cost_0_1 -
-        lastwinner3_best_cost_0_0) < 0 else lastwinner3_best_index_0_0;
       lastwinner4_tag_valid <= lastwinner3_tag_valid;
       lastwinner4_tag_map_column <= lastwinner3_tag_map_column;
       lastwinner4_tag_end_of_line <= lastwinner3_tag_end_of_line;
+      if (lastwinner3_best_cost_0_1 - lastwinner3_best_cost_0_0) < 0 then
+        lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1;
+      else
+        lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_0;
+      end if;
       -- traceback
       traceback_state_is_equal := traceback_falling = 1;
       traceback_state_sum := traceback_state + 1;
@@ -4629,99 +6626,230 @@ begin
         traceback_state_choice_3 := traceback_state_choice_2;
       end if;
       traceback_decision_value := (((traceback_state_sum mod 256) / 2) mod 2) = 1;
-      traceback_decision_choice := decisions_ready_decision_11 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_10;
-      traceback_decision_choice_2 := decisions_ready_decision_9 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_8;
-      traceback_decision_choice_3 := traceback_decision_choice when traceback_decision_value else
-        traceback_decision_choice_2;
-      traceback_decision_choice_4 := decisions_ready_decision_7 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_6;
-      traceback_decision_choice_5 := decisions_ready_decision_5 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_4;
-      traceback_decision_choice_6 := traceback_decision_choice_4 when traceback_decision_value else
-        traceback_decision_choice_5;
-      traceback_decision_choice_7 := decisions_ready_decision_3 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_2;
-      traceback_decision_choice_8 := decisions_ready_decision_1 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_0;
-      traceback_decision_choice_9 := traceback_decision_choice_7 when traceback_decision_value else
-        traceback_decision_choice_8;
-      traceback_decision_choice_10 := traceback_decision_choice_6 when (((traceback_state_sum mod 256) / 4) mod 2) = 1
-        else traceback_decision_choice_9;
-      traceback_decision_choice_11 := traceback_decision_choice_3 when (((traceback_state_sum mod 256) / 8) mod 2) = 1
-        else traceback_decision_choice_10;
-      traceback_decision_choice_12 := decisions_ready_decision_11 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_10;
-      traceback_decision_choice_13 := decisions_ready_decision_9 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_8;
-      traceback_decision_choice_14 := traceback_decision_choice_12 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_13;
-      traceback_decision_choice_15 := decisions_ready_decision_7 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_6;
-      traceback_decision_choice_16 := decisions_ready_decision_5 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_4;
-      traceback_decision_choice_17 := traceback_decision_choice_15 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_16;
-      traceback_decision_choice_18 := decisions_ready_decision_3 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_2;
-      traceback_decision_choice_19 := decisions_ready_decision_1 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_0;
-      traceback_decision_choice_20 := traceback_decision_choice_18 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_19;
-      traceback_decision_choice_21 := traceback_decision_choice_17 when (((traceback_state_sum_2 mod 128) / 2) mod 2) =
-        1 else traceback_decision_choice_20;
-      traceback_decision_choice_22 := traceback_decision_choice_14 when (((traceback_state_sum_2 mod 128) / 4) mod 2) =
-        1 else traceback_decision_choice_21;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice := decisions_ready_decision_11;
+      else
+        traceback_decision_choice := decisions_ready_decision_10;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_2 := decisions_ready_decision_9;
+      else
+        traceback_decision_choice_2 := decisions_ready_decision_8;
+      end if;
+      if traceback_decision_value then
+        traceback_decision_choice_3 := traceback_decision_choice;
+      else
+        traceback_decision_choice_3 := traceback_decision_choice_2;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_4 := decisions_ready_decision_7;
+      else
+        traceback_decision_choice_4 := decisions_ready_decision_6;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_5 := decisions_ready_decision_5;
+      else
+        traceback_decision_choice_5 := decisions_ready_decision_4;
+      end if;
+      if traceback_decision_value then
+        traceback_decision_choice_6 := traceback_decision_choice_4;
+      else
+        traceback_decision_choice_6 := traceback_decision_choice_5;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_7 := decisions_ready_decision_3;
+      else
+        traceback_decision_choice_7 := decisions_ready_decision_2;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_8 := decisions_ready_decision_1;
+      else
+        traceback_decision_choice_8 := decisions_ready_decision_0;
+      end if;
+      if traceback_decision_value then
+        traceback_decision_choice_9 := traceback_decision_choice_7;
+      else
+        traceback_decision_choice_9 := traceback_decision_choice_8;
+      end if;
+      if (((traceback_state_sum mod 256) / 4) mod 2) = 1 then
+        traceback_decision_choice_10 := traceback_decision_choice_6;
+      else
+        traceback_decision_choice_10 := traceback_decision_choice_9;
+      end if;
+      if (((traceback_state_sum mod 256) / 8) mod 2) = 1 then
+        traceback_decision_choice_11 := traceback_decision_choice_3;
+      else
+        traceback_decision_choice_11 := traceback_decision_choice_10;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_12 := decisions_ready_decision_11;
+      else
+        traceback_decision_choice_12 := decisions_ready_decision_10;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_13 := decisions_ready_decision_9;
+      else
+        traceback_decision_choice_13 := decisions_ready_decision_8;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_14 := traceback_decision_choice_12;
+      else
+        traceback_decision_choice_14 := traceback_decision_choice_13;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_15 := decisions_ready_decision_7;
+      else
+        traceback_decision_choice_15 := decisions_ready_decision_6;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_16 := decisions_ready_decision_5;
+      else
+        traceback_decision_choice_16 := decisions_ready_decision_4;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_17 := traceback_decision_choice_15;
+      else
+        traceback_decision_choice_17 := traceback_decision_choice_16;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_18 := decisions_ready_decision_3;
+      else
+        traceback_decision_choice_18 := decisions_ready_decision_2;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_19 := decisions_ready_decision_1;
+      else
+        traceback_decision_choice_19 := decisions_ready_decision_0;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_20 := traceback_decision_choice_18;
+      else
+        traceback_decision_choice_20 := traceback_decision_choice_19;
+      end if;
+      if (((traceback_state_sum_2 mod 128) / 2) mod 2) = 1 then
+        traceback_decision_choice_21 := traceback_decision_choice_17;
+      else
+        traceback_decision_choice_21 := traceback_decision_choice_20;
+      end if;
+      if (((traceback_state_sum_2 mod 128) / 4) mod 2) = 1 then
+        traceback_decision_choice_22 := traceback_decision_choice_14;
+      else
+        traceback_decision_choice_22 := traceback_decision_choice_21;
+      end if;
       traceback_decision_value_2 := (((traceback_state_sum_3 mod 256) / 2) mod 2) = 1;
-      traceback_decision_choice_23 := decisions_ready_decision_11 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_10;
-      traceback_decision_choice_24 := decisions_ready_decision_9 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_8;
-      traceback_decision_choice_25 := traceback_decision_choice_23 when traceback_decision_value_2 else
-        traceback_decision_choice_24;
-      traceback_decision_choice_26 := decisions_ready_decision_7 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_6;
-      traceback_decision_choice_27 := decisions_ready_decision_5 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_4;
-      traceback_decision_choice_28 := traceback_decision_choice_26 when traceback_decision_value_2 else
-        traceback_decision_choice_27;
-      traceback_decision_choice_29 := decisions_ready_decision_3 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_2;
-      traceback_decision_choice_30 := decisions_ready_decision_1 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_0;
-      traceback_decision_choice_31 := traceback_decision_choice_29 when traceback_decision_value_2 else
-        traceback_decision_choice_30;
-      traceback_decision_choice_32 := traceback_decision_choice_28 when (((traceback_state_sum_3 mod 256) / 4) mod 2) =
-        1 else traceback_decision_choice_31;
-      traceback_decision_choice_33 := traceback_decision_choice_25 when (((traceback_state_sum_3 mod 256) / 8) mod 2) =
-        1 else traceback_decision_choice_32;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_23 := decisions_ready_decision_11;
+      else
+        traceback_decision_choice_23 := decisions_ready_decision_10;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_24 := decisions_ready_decision_9;
+      else
+        traceback_decision_choice_24 := decisions_ready_decision_8;
+      end if;
+      if traceback_decision_value_2 then
+        traceback_decision_choice_25 := traceback_decision_choice_23;
+      else
+        traceback_decision_choice_25 := traceback_decision_choice_24;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_26 := decisions_ready_decision_7;
+      else
+        traceback_decision_choice_26 := decisions_ready_decision_6;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_27 := decisions_ready_decision_5;
+      else
+        traceback_decision_choice_27 := decisions_ready_decision_4;
+      end if;
+      if traceback_decision_value_2 then
+        traceback_decision_choice_28 := traceback_decision_choice_26;
+      else
+        traceback_decision_choice_28 := traceback_decision_choice_27;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_29 := decisions_ready_decision_3;
+      else
+        traceback_decision_choice_29 := decisions_ready_decision_2;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_30 := decisions_ready_decision_1;
+      else
+        traceback_decision_choice_30 := decisions_ready_decision_0;
+      end if;
+      if traceback_decision_value_2 then
+        traceback_decision_choice_31 := traceback_decision_choice_29;
+      else
+        traceback_decision_choice_31 := traceback_decision_choice_30;
+      end if;
+      if (((traceback_state_sum_3 mod 256) / 4) mod 2) = 1 then
+        traceback_decision_choice_32 := traceback_decision_choice_28;
+      else
+        traceback_decision_choice_32 := traceback_decision_choice_31;
+      end if;
+      if (((traceback_state_sum_3 mod 256) / 8) mod 2) = 1 then
+        traceback_decision_choice_33 := traceback_decision_choice_25;
+      else
+        traceback_decision_choice_33 := traceback_decision_choice_32;
+      end if;
       traceback_decision_value_3 := ((traceback_state / 2) mod 2) = 1;
-      traceback_decision_choice_34 := traceback_decision_choice_12 when traceback_decision_value_3 else
-        traceback_decision_choice_13;
-      traceback_decision_choice_35 := traceback_decision_choice_15 when traceback_decision_value_3 else
-        traceback_decision_choice_16;
-      traceback_decision_choice_36 := traceback_decision_choice_18 when traceback_decision_value_3 else
-        traceback_decision_choice_19;
-      traceback_decision_choice_37 := traceback_decision_choice_35 when ((traceback_state / 4) mod 2) = 1 else
-        traceback_decision_choice_36;
-      traceback_decision_choice_38 := traceback_decision_choice_34 when ((traceback_state / 8) mod 2) = 1 else
-        traceback_decision_choice_37;
-      traceback_decision_choice_39 := traceback_decision_choice_33 when traceback_state_all else
-        traceback_decision_choice_38;
-      traceback_decision_choice_40 := traceback_decision_choice_22 when traceback_state_is_equal_2 else
-        traceback_decision_choice_39;
-      traceback_decision_choice_41 := traceback_decision_choice_11 when traceback_state_is_equal else
-        traceback_decision_choice_40;
+      if traceback_decision_value_3 then
+        traceback_decision_choice_34 := traceback_decision_choice_12;
+      else
+        traceback_decision_choice_34 := traceback_decision_choice_13;
+      end if;
+      if traceback_decision_value_3 then
+        traceback_decision_choice_35 := traceback_decision_choice_15;
+      else
+        traceback_decision_choice_35 := traceback_decision_choice_16;
+      end if;
+      if traceback_decision_value_3 then
+        traceback_decision_choice_36 := traceback_decision_choice_18;
+      else
+        traceback_decision_choice_36 := traceback_decision_choice_19;
+      end if;
+      if ((traceback_state / 4) mod 2) = 1 then
+        traceback_decision_choice_37 := traceback_decision_choice_35;
+      else
+        traceback_decision_choice_37 := traceback_decision_choice_36;
+      end if;
+      if ((traceback_state / 8) mod 2) = 1 then
+        traceback_decision_choice_38 := traceback_decision_choice_34;
+      else
+        traceback_decision_choice_38 := traceback_decision_choice_37;
+      end if;
+      if traceback_state_all then
+        traceback_decision_choice_39 := traceback_decision_choice_33;
+      else
+        traceback_decision_choice_39 := traceback_decision_choice_38;
+      end if;
+      if traceback_state_is_equal_2 then
+        traceback_decision_choice_40 := traceback_decision_choice_22;
+      else
+        traceback_decision_choice_40 := traceback_decision_choice_39;
+      end if;
+      if traceback_state_is_equal then
+        traceback_decision_choice_41 := traceback_decision_choice_11;
+      else
+        traceback_decision_choice_41 := traceback_decision_choice_40;
+      end if;
       if entry_tag_valid then
-        traceback_state <= traceback_state_choice_3 when decisions_comes_0 else last_state;
-        traceback_decision <= traceback_decision_choice_41 when decisions_comes_0 else 0;
-        traceback_falling <= traceback_decision when ((((traceback_decision + 255) mod 256) / 2) = 0) and
-          decisions_comes_0 and traceback_state_is_equal_3 else 0;
         traceback_tags_held_0_output_column <= entry_turned_output_column;
         traceback_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
         traceback_tags_held_1_output_column <= traceback_tags_held_0_output_column;
         traceback_tags_held_1_start_of_frame <= traceback_tags_held_0_start_of_frame;
+        if decisions_comes_0 then
+          traceback_state <= traceback_state_choice_3;
+          traceback_decision <= traceback_decision_choice_41;
+        else
+          traceback_state <= last_state;
+          traceback_decision <= 0;
+        end if;
+        if ((((traceback_decision + 255) mod 256) / 2) = 0) and decisions_comes_0 and traceback_state_is_equal_3 then
+          traceback_falling <= traceback_decision;
+        else
+          traceback_falling <= 0;
+        end if;
       end if;
       traceback_out_disparity_0 <= traceback_state;
       traceback_out_passed_0 <= ((traceback_falling / 2) = 1) or ((traceback_falling mod 2) = 1) or (not
@@ -4732,20 +6860,31 @@ begin
       traceback_out_tag_end_of_line <= last_tags_held_1_end_of_line;
       -- turn
       turn_order_address_any := turn_order_inside or (not traceback_out_tag_map_column) or (not last_tag_valid);
-      turn_order_address_choice := 31 when turn_order_falls else 1;
-      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      if turn_order_falls then
+        turn_order_address_choice := 31;
+      else
+        turn_order_address_choice := 1;
+      end if;
+      if turn_order_falls then
+        turn_order_address_choice_2 := 0;
+      else
+        turn_order_address_choice_2 := 7;
+      end if;
       turn_order_address_any_2 := (not traceback_out_tag_map_column) or (not last_tag_valid);
       if not turn_order_address_any_2 then
-        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
-          turn_order_address_choice_2 * 4;
+        if turn_order_address_any then
+          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32;
+        else
+          turn_order_address <= turn_order_address_choice_2 * 4;
+        end if;
       end if;
       turn_order_falls_all := (not turn_order_inside) and traceback_out_tag_map_column and last_tag_valid;
       turn_order_complete_all := traceback_out_tag_map_column and last_tag_valid;
-      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
-        else turn_order_held_output;
-      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
-      turn_order_complete <= turn_order_complete or turn_order_complete_all when traceback_out_tag_end_of_line else
-        turn_order_complete and turn_order_address_any_2;
+      if turn_order_falls_all then
+        turn_order_turned_output_column_choice := turn_order_output and turn_order_complete;
+      else
+        turn_order_turned_output_column_choice := turn_order_held_output;
+      end if;
       turn_order_turned_map_column <= traceback_out_tag_map_column;
       turn_order_turned_output_column <= turn_order_turned_output_column_choice and traceback_out_tag_map_column;
       turn_order_turned_first_column <= turn_order_falls_all;
@@ -4758,6 +6897,16 @@ begin
       turn_ready_tag_map_column <= turn_read_tag_map_column;
       turn_ready_tag_output_column <= turn_read_tag_output_column;
       turn_ready_tag_first_column <= turn_read_tag_first_column;
+      if turn_order_falls then
+        turn_order_falls <= turn_order_address_any;
+      else
+        turn_order_falls <= turn_order_falls_all;
+      end if;
+      if traceback_out_tag_end_of_line then
+        turn_order_complete <= turn_order_complete or turn_order_complete_all;
+      else
+        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
+      end if;
       if last_tag_valid then
         turn_order_inside <= traceback_out_tag_map_column;
       end if;
@@ -4771,9 +6920,17 @@ begin
         turn_write_place <= turn_order_address;
       end if;
       -- fill
-      fill_out_disparity_0_choice := 0 when turn_ready_tag_first_column else fill_out_disparity_0;
+      if turn_ready_tag_first_column then
+        fill_out_disparity_0_choice := 0;
+      else
+        fill_out_disparity_0_choice := fill_out_disparity_0;
+      end if;
       if turn_ready_tag_map_column and lastwinner3_tag_valid then
-        fill_out_disparity_0 <= turn_ready mod 256 when (turn_ready / 256) = 1 else fill_out_disparity_0_choice;
+        if (turn_ready / 256) = 1 then
+          fill_out_disparity_0 <= turn_ready mod 256;
+        else
+          fill_out_disparity_0 <= fill_out_disparity_0_choice;
+        end if;
       end if;
       fill_out_passed_0 <= (turn_ready / 256) = 1;
       fill_out_tag_output_column <= turn_ready_tag_output_column;

@@ -320,53 +320,77 @@ architecture rtl of stereo_core_tiny_trellis_12bit is
   signal fill_out_passed_0, fill_out_tag_output_column : boolean;
   -- other
   signal other_0, other_1, other_2, other_3 : natural range 0 to 257;
+  signal turn_read_words_0_memory_read_enable : boolean;
+  signal turn_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal turn_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal decisions_read_words_0_memory_read_enable : boolean;
+  signal decisions_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal decisions_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal decisions_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_start_of_frame <= start_of_frame = '1';
   in_valid <= valid = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(fill_out_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(fill_out_passed_0), 1));
   disparity_valid <= as_bit(lastwinner4_tag_valid and fill_out_tag_output_column);
   disparity_start_of_frame <= as_bit(((other_3 mod 2) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
   disparity_end_of_line <= as_bit(((other_3 / 256) = 1) and lastwinner4_tag_valid and fill_out_tag_output_column);
 
+  turn_read_words_0_memory_read_enable <= true;
+  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 5);
+  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 5);
   turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
   turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9)
+    generic map (depth => 29, width => 9, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
+      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
+      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
 
+  decisions_read_words_0_memory_read_enable <= true;
+  decisions_read_words_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  decisions_read_words_0_memory_write_address <= to_unsigned(decisions_write_place, 5);
   decisions_read_words_0_memory_write_data <= to_unsigned(decisions_write_words_0, 24);
   decisions_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 24)
+    generic map (depth => 29, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => decisions_read_words_0,
-      write_address => decisions_write_place, write_data => decisions_read_words_0_memory_write_data);
+      clock => clock, read_enable => decisions_read_words_0_memory_read_enable,
+      read_address => decisions_read_words_0_memory_read_address, read_data => decisions_read_words_0,
+      write_address => decisions_read_words_0_memory_write_address, write_data => decisions_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable raster_place_group_is_equal, raster_place_group_is_equal_2, raster_place_group_all : boolean;
@@ -452,29 +476,58 @@ begin
       raster_place_group_is_equal := raster_place_group = 11;
       raster_place_group_is_equal_2 := raster_place_column = 39;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 3 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 3;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_is_equal_3 := (raster_place_group / 2) = 6;
-      raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid and (not ((raster_place_group mod 2) =
-        1)) when raster_place_group_is_equal_3 else raster_place_group_is_equal_2 and in_valid;
-      raster_place_group_choice_3 := 1 when raster_place_next_frame and (raster_place_group = 12) else
-        (raster_place_group + 1) mod 16;
-      raster_place_group_choice_4 := raster_place_group_choice_3 when raster_place_group_choice_2 else
-        raster_place_group;
+      if raster_place_group_is_equal_3 then
+        raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid and (not ((raster_place_group mod 2)
+          = 1));
+      else
+        raster_place_group_choice_2 := raster_place_group_is_equal_2 and in_valid;
+      end if;
+      if raster_place_next_frame and (raster_place_group = 12) then
+        raster_place_group_choice_3 := 1;
+      else
+        raster_place_group_choice_3 := (raster_place_group + 1) mod 16;
+      end if;
+      if raster_place_group_choice_2 then
+        raster_place_group_choice_4 := raster_place_group_choice_3;
+      else
+        raster_place_group_choice_4 := raster_place_group;
+      end if;
       raster_features_search_0 <= in_right_pixel;
       raster_features_reference_0 <= in_left_pixel;
       raster_features_valid <= in_valid;
-      raster_place_group <= raster_place_group_choice * 4 when in_start_of_frame and in_valid else
-        raster_place_group_choice_4;
-      raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1) when
-        raster_place_group_is_equal_2 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_is_equal_3 else
-        raster_place_next_frame;
+      if in_start_of_frame and in_valid then
+        raster_place_group <= raster_place_group_choice * 4;
+      else
+        raster_place_group <= raster_place_group_choice_4;
+      end if;
+      if raster_place_group_is_equal_2 then
+        raster_place_next_frame_choice := raster_place_next_frame and ((raster_place_group mod 2) = 1);
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_is_equal_3 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
       if in_valid then
-        raster_place_column <= 0 when raster_place_group_is_equal_2 or in_start_of_frame else (raster_place_column + 1)
-          mod 64;
-        raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame) when
-          raster_place_next_frame_choice_2 else raster_place_group_is_equal and raster_place_group_is_equal_2 and
-          in_start_of_frame;
+        if raster_place_group_is_equal_2 or in_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 64;
+        end if;
+        if raster_place_next_frame_choice_2 then
+          raster_place_next_frame <= raster_place_group_all or (not in_start_of_frame);
+        else
+          raster_place_next_frame <= raster_place_group_is_equal and raster_place_group_is_equal_2 and
+            in_start_of_frame;
+        end if;
       end if;
       -- delay
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
@@ -526,12 +579,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_0 / 4096 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_inside_2 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_0 / 4096 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_first_cost <= rows_ready_tag_first_cost;
@@ -539,6 +586,27 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0 mod 4096;
+        rows_reference_0 <= rows_reference_rows_ready_words_0 mod 4096;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_0 / 4096;
+        rows_reference_1 <= rows_reference_rows_ready_words_0 / 4096;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_newest_0;
+        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= (rows_search_rows_ready_words_0 / 4096) + (rows_search_rows_ready_newest_0 *
           4096);
@@ -627,16 +695,6 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_difference_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_difference_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_difference_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_0 +
-        slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0);
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_1 +
-        slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1);
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_2 +
-        slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2);
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_3 +
-        slice0cost_pair_0_3 + as_number(slice0cost_negative_0_3);
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_single_0_4 +
-        slice0cost_pair_0_4 + as_number(slice0cost_negative_0_4);
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
@@ -644,6 +702,19 @@ begin
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_single_0_0 + slice0cost_pair_0_0 + as_number(slice0cost_negative_0_0);
+        slice0cost_column_0_1 <= slice0cost_single_0_1 + slice0cost_pair_0_1 + as_number(slice0cost_negative_0_1);
+        slice0cost_column_0_2 <= slice0cost_single_0_2 + slice0cost_pair_0_2 + as_number(slice0cost_negative_0_2);
+        slice0cost_column_0_3 <= slice0cost_single_0_3 + slice0cost_pair_0_3 + as_number(slice0cost_negative_0_3);
+        slice0cost_column_0_4 <= slice0cost_single_0_4 + slice0cost_pair_0_4 + as_number(slice0cost_negative_0_4);
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -674,11 +745,6 @@ begin
       slice0window_tag_start_of_frame <= slice0window_centre_start_of_frame_0;
       slice0window_tag_end_of_line <= slice0window_centre_end_of_line_0;
       -- slice0
-      slice0_held_0_0 <= 15 when 16383 < slice0window_sum_0_0 else slice0window_sum_0_0 / 1024;
-      slice0_held_0_1 <= 15 when 16383 < slice0window_sum_0_1 else slice0window_sum_0_1 / 1024;
-      slice0_held_0_2 <= 15 when 16383 < slice0window_sum_0_2 else slice0window_sum_0_2 / 1024;
-      slice0_held_0_3 <= 15 when 16383 < slice0window_sum_0_3 else slice0window_sum_0_3 / 1024;
-      slice0_held_0_4 <= 15 when 16383 < slice0window_sum_0_4 else slice0window_sum_0_4 / 1024;
       slice0_held_1_0 <= slice0_held_0_0;
       slice0_held_1_1 <= slice0_held_0_1;
       slice0_held_1_2 <= slice0_held_0_2;
@@ -707,6 +773,31 @@ begin
       slice0_tag_2_first_column <= slice0_tag_1_first_column;
       slice0_tag_2_start_of_frame <= slice0_tag_1_start_of_frame;
       slice0_tag_2_end_of_line <= slice0_tag_1_end_of_line;
+      if 16383 < slice0window_sum_0_0 then
+        slice0_held_0_0 <= 15;
+      else
+        slice0_held_0_0 <= slice0window_sum_0_0 / 1024;
+      end if;
+      if 16383 < slice0window_sum_0_1 then
+        slice0_held_0_1 <= 15;
+      else
+        slice0_held_0_1 <= slice0window_sum_0_1 / 1024;
+      end if;
+      if 16383 < slice0window_sum_0_2 then
+        slice0_held_0_2 <= 15;
+      else
+        slice0_held_0_2 <= slice0window_sum_0_2 / 1024;
+      end if;
+      if 16383 < slice0window_sum_0_3 then
+        slice0_held_0_3 <= 15;
+      else
+        slice0_held_0_3 <= slice0window_sum_0_3 / 1024;
+      end if;
+      if 16383 < slice0window_sum_0_4 then
+        slice0_held_0_4 <= 15;
+      else
+        slice0_held_0_4 <= slice0window_sum_0_4 / 1024;
+      end if;
       -- slice1shift
       if slice0shift_tag_valid then
         slice1shift_search_0_0 <= slice0shift_search_out_0;
@@ -767,17 +858,20 @@ begin
       slice1cost_single_0_2 <= folded(slice1cost_difference_0_2) + as_number((slice1cost_difference_0_2 < 0));
       slice1cost_single_0_3 <= folded(slice1cost_difference_0_3) + as_number((slice1cost_difference_0_3 < 0));
       slice1cost_single_0_4 <= folded(slice1cost_difference_0_4) + as_number((slice1cost_difference_0_4 < 0));
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_0 + slice1cost_pair_0_0 +
-        as_number(slice1cost_negative_0_0);
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_1 + slice1cost_pair_0_1 +
-        as_number(slice1cost_negative_0_1);
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_2 + slice1cost_pair_0_2 +
-        as_number(slice1cost_negative_0_2);
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_3 + slice1cost_pair_0_3 +
-        as_number(slice1cost_negative_0_3);
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_single_0_4 + slice1cost_pair_0_4 +
-        as_number(slice1cost_negative_0_4);
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_single_0_0 + slice1cost_pair_0_0 + as_number(slice1cost_negative_0_0);
+        slice1cost_column_0_1 <= slice1cost_single_0_1 + slice1cost_pair_0_1 + as_number(slice1cost_negative_0_1);
+        slice1cost_column_0_2 <= slice1cost_single_0_2 + slice1cost_pair_0_2 + as_number(slice1cost_negative_0_2);
+        slice1cost_column_0_3 <= slice1cost_single_0_3 + slice1cost_pair_0_3 + as_number(slice1cost_negative_0_3);
+        slice1cost_column_0_4 <= slice1cost_single_0_4 + slice1cost_pair_0_4 + as_number(slice1cost_negative_0_4);
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -797,16 +891,36 @@ begin
       slice1window_sum_0_3 <= slice1cost_column_0_3 + slice1window_partial_0_1_3;
       slice1window_sum_0_4 <= slice1cost_column_0_4 + slice1window_partial_0_1_4;
       -- slice1
-      slice1_held_0_0 <= 15 when 16383 < slice1window_sum_0_0 else slice1window_sum_0_0 / 1024;
-      slice1_held_0_1 <= 15 when 16383 < slice1window_sum_0_1 else slice1window_sum_0_1 / 1024;
-      slice1_held_0_2 <= 15 when 16383 < slice1window_sum_0_2 else slice1window_sum_0_2 / 1024;
-      slice1_held_0_3 <= 15 when 16383 < slice1window_sum_0_3 else slice1window_sum_0_3 / 1024;
-      slice1_held_0_4 <= 15 when 16383 < slice1window_sum_0_4 else slice1window_sum_0_4 / 1024;
       slice1_held_1_0 <= slice1_held_0_0;
       slice1_held_1_1 <= slice1_held_0_1;
       slice1_held_1_2 <= slice1_held_0_2;
       slice1_held_1_3 <= slice1_held_0_3;
       slice1_held_1_4 <= slice1_held_0_4;
+      if 16383 < slice1window_sum_0_0 then
+        slice1_held_0_0 <= 15;
+      else
+        slice1_held_0_0 <= slice1window_sum_0_0 / 1024;
+      end if;
+      if 16383 < slice1window_sum_0_1 then
+        slice1_held_0_1 <= 15;
+      else
+        slice1_held_0_1 <= slice1window_sum_0_1 / 1024;
+      end if;
+      if 16383 < slice1window_sum_0_2 then
+        slice1_held_0_2 <= 15;
+      else
+        slice1_held_0_2 <= slice1window_sum_0_2 / 1024;
+      end if;
+      if 16383 < slice1window_sum_0_3 then
+        slice1_held_0_3 <= 15;
+      else
+        slice1_held_0_3 <= slice1window_sum_0_3 / 1024;
+      end if;
+      if 16383 < slice1window_sum_0_4 then
+        slice1_held_0_4 <= 15;
+      else
+        slice1_held_0_4 <= slice1window_sum_0_4 / 1024;
+      end if;
       -- slice2shift
       if slice0cost_difference_tag_valid then
         slice2shift_search_0_0 <= slice1shift_search_out_0;
@@ -834,10 +948,13 @@ begin
       slice2cost_negative_0_1 <= slice2cost_difference_2_1 < 0;
       slice2cost_single_0_0 <= folded(slice2cost_difference_0_0) + as_number((slice2cost_difference_0_0 < 0));
       slice2cost_single_0_1 <= folded(slice2cost_difference_0_1) + as_number((slice2cost_difference_0_1 < 0));
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_single_0_0 + slice2cost_pair_0_0 +
-        as_number(slice2cost_negative_0_0);
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_single_0_1 + slice2cost_pair_0_1 +
-        as_number(slice2cost_negative_0_1);
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+      else
+        slice2cost_column_0_0 <= slice2cost_single_0_0 + slice2cost_pair_0_0 + as_number(slice2cost_negative_0_0);
+        slice2cost_column_0_1 <= slice2cost_single_0_1 + slice2cost_pair_0_1 + as_number(slice2cost_negative_0_1);
+      end if;
       -- slice2window
       if slice0_tag_0_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -848,14 +965,25 @@ begin
       slice2window_sum_0_0 <= slice2cost_column_0_0 + slice2window_partial_0_1_0;
       slice2window_sum_0_1 <= slice2cost_column_0_1 + slice2window_partial_0_1_1;
       -- slice2
-      slice2_held_0_0 <= 15 when 16383 < slice2window_sum_0_0 else slice2window_sum_0_0 / 1024;
-      slice2_held_0_1 <= 15 when 16383 < slice2window_sum_0_1 else slice2window_sum_0_1 / 1024;
+      if 16383 < slice2window_sum_0_0 then
+        slice2_held_0_0 <= 15;
+      else
+        slice2_held_0_0 <= slice2window_sum_0_0 / 1024;
+      end if;
+      if 16383 < slice2window_sum_0_1 then
+        slice2_held_0_1 <= 15;
+      else
+        slice2_held_0_1 <= slice2window_sum_0_1 / 1024;
+      end if;
       -- entry
       entry_order_falls_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column) or entry_order_inside;
       entry_order_falls_all := slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside);
       entry_order_complete_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column);
-      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
-        else entry_order_held_output;
+      if entry_order_falls_all then
+        entry_order_turned_output_column_choice := entry_order_output and entry_order_complete;
+      else
+        entry_order_turned_output_column_choice := entry_order_held_output;
+      end if;
       entry_next_cost_0 <= slice0_held_2_0;
       entry_next_cost_1 <= slice0_held_2_1;
       entry_next_cost_2 <= slice0_held_2_2;
@@ -872,9 +1000,6 @@ begin
       entry_next_tag_map_column <= slice0_tag_2_map_column;
       entry_next_tag_first_column <= slice0_tag_2_first_column;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
-      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
-      entry_order_complete <= entry_order_complete or (slice0_tag_2_valid and slice0_tag_2_map_column) when
-        slice0_tag_2_end_of_line else entry_order_complete and entry_order_complete_any;
       entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
       entry_order_turned_start_of_frame <= slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside)
         and entry_next_top and entry_order_output and entry_order_complete;
@@ -897,16 +1022,37 @@ begin
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
+      if entry_order_falls then
+        entry_order_falls <= entry_order_falls_any;
+      else
+        entry_order_falls <= entry_order_falls_all;
+      end if;
+      if slice0_tag_2_end_of_line then
+        entry_order_complete <= entry_order_complete or (slice0_tag_2_valid and slice0_tag_2_map_column);
+      else
+        entry_order_complete <= entry_order_complete and entry_order_complete_any;
+      end if;
       if entry_order_falls_all then
         entry_next_top <= slice0_tag_2_start_of_frame;
         entry_order_output <= slice0_tag_2_output_column;
         entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
-      entry_order_address_choice := 31 when entry_order_falls else 1;
-      entry_order_address_choice_2 := 0 when entry_order_falls else 7;
+      if entry_order_falls then
+        entry_order_address_choice := 31;
+      else
+        entry_order_address_choice := 1;
+      end if;
+      if entry_order_falls then
+        entry_order_address_choice_2 := 0;
+      else
+        entry_order_address_choice_2 := 7;
+      end if;
       if not entry_order_complete_any then
-        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
-          else entry_order_address_choice_2 * 4;
+        if entry_order_falls_any then
+          entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32;
+        else
+          entry_order_address <= entry_order_address_choice_2 * 4;
+        end if;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
@@ -925,97 +1071,305 @@ begin
       forward_pair_cost_10_sum := entry_cost_10 + forward_next_cost_10;
       forward_pair_cost_11_sum := entry_cost_11 + forward_next_cost_11;
       forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 512) / 256) = 1;
-      forward_path_0_choice := forward_dropped_0 when forward_path_0_value else forward_stayed_0;
-      forward_path_0_choice_2 := 0 when forward_next_first else forward_path_0_choice;
+      if forward_path_0_value then
+        forward_path_0_choice := forward_dropped_0;
+      else
+        forward_path_0_choice := forward_stayed_0;
+      end if;
+      if forward_next_first then
+        forward_path_0_choice_2 := 0;
+      else
+        forward_path_0_choice_2 := forward_path_0_choice;
+      end if;
       forward_path_1_any := (not ((((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1));
       forward_path_1_value := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
-      forward_path_1_choice := forward_dropped_1 when forward_path_1_value else forward_stayed_1;
-      forward_path_1_choice_2 := forward_path_1_choice when forward_path_1_any else forward_occluding_0;
-      forward_path_1_choice_3 := 0 when forward_next_first else forward_path_1_choice_2;
+      if forward_path_1_value then
+        forward_path_1_choice := forward_dropped_1;
+      else
+        forward_path_1_choice := forward_stayed_1;
+      end if;
+      if forward_path_1_any then
+        forward_path_1_choice_2 := forward_path_1_choice;
+      else
+        forward_path_1_choice_2 := forward_occluding_0;
+      end if;
+      if forward_next_first then
+        forward_path_1_choice_3 := 0;
+      else
+        forward_path_1_choice_3 := forward_path_1_choice_2;
+      end if;
       forward_path_2_any := (not ((((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1));
       forward_path_2_value := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
-      forward_path_2_choice := forward_dropped_2 when forward_path_2_value else forward_stayed_2;
-      forward_path_2_choice_2 := forward_path_2_choice when forward_path_2_any else forward_occluding_1;
-      forward_path_2_choice_3 := 0 when forward_next_first else forward_path_2_choice_2;
+      if forward_path_2_value then
+        forward_path_2_choice := forward_dropped_2;
+      else
+        forward_path_2_choice := forward_stayed_2;
+      end if;
+      if forward_path_2_any then
+        forward_path_2_choice_2 := forward_path_2_choice;
+      else
+        forward_path_2_choice_2 := forward_occluding_1;
+      end if;
+      if forward_next_first then
+        forward_path_2_choice_3 := 0;
+      else
+        forward_path_2_choice_3 := forward_path_2_choice_2;
+      end if;
       forward_path_3_any := (not ((((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1));
       forward_path_3_value := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
-      forward_path_3_choice := forward_dropped_3 when forward_path_3_value else forward_stayed_3;
-      forward_path_3_choice_2 := forward_path_3_choice when forward_path_3_any else forward_occluding_2;
-      forward_path_3_choice_3 := 0 when forward_next_first else forward_path_3_choice_2;
+      if forward_path_3_value then
+        forward_path_3_choice := forward_dropped_3;
+      else
+        forward_path_3_choice := forward_stayed_3;
+      end if;
+      if forward_path_3_any then
+        forward_path_3_choice_2 := forward_path_3_choice;
+      else
+        forward_path_3_choice_2 := forward_occluding_2;
+      end if;
+      if forward_next_first then
+        forward_path_3_choice_3 := 0;
+      else
+        forward_path_3_choice_3 := forward_path_3_choice_2;
+      end if;
       forward_path_4_any := (not ((((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1));
       forward_path_4_value := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
-      forward_path_4_choice := forward_dropped_4 when forward_path_4_value else forward_stayed_4;
-      forward_path_4_choice_2 := forward_path_4_choice when forward_path_4_any else forward_occluding_3;
-      forward_path_4_choice_3 := 0 when forward_next_first else forward_path_4_choice_2;
+      if forward_path_4_value then
+        forward_path_4_choice := forward_dropped_4;
+      else
+        forward_path_4_choice := forward_stayed_4;
+      end if;
+      if forward_path_4_any then
+        forward_path_4_choice_2 := forward_path_4_choice;
+      else
+        forward_path_4_choice_2 := forward_occluding_3;
+      end if;
+      if forward_next_first then
+        forward_path_4_choice_3 := 0;
+      else
+        forward_path_4_choice_3 := forward_path_4_choice_2;
+      end if;
       forward_path_5_any := (not ((((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1));
       forward_path_5_value := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
-      forward_path_5_choice := forward_dropped_5 when forward_path_5_value else forward_stayed_5;
-      forward_path_5_choice_2 := forward_path_5_choice when forward_path_5_any else forward_occluding_4;
-      forward_path_5_choice_3 := 0 when forward_next_first else forward_path_5_choice_2;
+      if forward_path_5_value then
+        forward_path_5_choice := forward_dropped_5;
+      else
+        forward_path_5_choice := forward_stayed_5;
+      end if;
+      if forward_path_5_any then
+        forward_path_5_choice_2 := forward_path_5_choice;
+      else
+        forward_path_5_choice_2 := forward_occluding_4;
+      end if;
+      if forward_next_first then
+        forward_path_5_choice_3 := 0;
+      else
+        forward_path_5_choice_3 := forward_path_5_choice_2;
+      end if;
       forward_path_6_any := (not ((((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1));
       forward_path_6_value := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
-      forward_path_6_choice := forward_dropped_6 when forward_path_6_value else forward_stayed_6;
-      forward_path_6_choice_2 := forward_path_6_choice when forward_path_6_any else forward_occluding_5;
-      forward_path_6_choice_3 := 0 when forward_next_first else forward_path_6_choice_2;
+      if forward_path_6_value then
+        forward_path_6_choice := forward_dropped_6;
+      else
+        forward_path_6_choice := forward_stayed_6;
+      end if;
+      if forward_path_6_any then
+        forward_path_6_choice_2 := forward_path_6_choice;
+      else
+        forward_path_6_choice_2 := forward_occluding_5;
+      end if;
+      if forward_next_first then
+        forward_path_6_choice_3 := 0;
+      else
+        forward_path_6_choice_3 := forward_path_6_choice_2;
+      end if;
       forward_path_7_any := (not ((((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1));
       forward_path_7_value := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
-      forward_path_7_choice := forward_dropped_7 when forward_path_7_value else forward_stayed_7;
-      forward_path_7_choice_2 := forward_path_7_choice when forward_path_7_any else forward_occluding_6;
-      forward_path_7_choice_3 := 0 when forward_next_first else forward_path_7_choice_2;
+      if forward_path_7_value then
+        forward_path_7_choice := forward_dropped_7;
+      else
+        forward_path_7_choice := forward_stayed_7;
+      end if;
+      if forward_path_7_any then
+        forward_path_7_choice_2 := forward_path_7_choice;
+      else
+        forward_path_7_choice_2 := forward_occluding_6;
+      end if;
+      if forward_next_first then
+        forward_path_7_choice_3 := 0;
+      else
+        forward_path_7_choice_3 := forward_path_7_choice_2;
+      end if;
       forward_path_8_any := (not ((((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1));
       forward_path_8_value := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
-      forward_path_8_choice := forward_dropped_8 when forward_path_8_value else forward_stayed_8;
-      forward_path_8_choice_2 := forward_path_8_choice when forward_path_8_any else forward_occluding_7;
-      forward_path_8_choice_3 := 0 when forward_next_first else forward_path_8_choice_2;
+      if forward_path_8_value then
+        forward_path_8_choice := forward_dropped_8;
+      else
+        forward_path_8_choice := forward_stayed_8;
+      end if;
+      if forward_path_8_any then
+        forward_path_8_choice_2 := forward_path_8_choice;
+      else
+        forward_path_8_choice_2 := forward_occluding_7;
+      end if;
+      if forward_next_first then
+        forward_path_8_choice_3 := 0;
+      else
+        forward_path_8_choice_3 := forward_path_8_choice_2;
+      end if;
       forward_path_9_any := (not ((((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1));
       forward_path_9_value := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
-      forward_path_9_choice := forward_dropped_9 when forward_path_9_value else forward_stayed_9;
-      forward_path_9_choice_2 := forward_path_9_choice when forward_path_9_any else forward_occluding_8;
-      forward_path_9_choice_3 := 0 when forward_next_first else forward_path_9_choice_2;
+      if forward_path_9_value then
+        forward_path_9_choice := forward_dropped_9;
+      else
+        forward_path_9_choice := forward_stayed_9;
+      end if;
+      if forward_path_9_any then
+        forward_path_9_choice_2 := forward_path_9_choice;
+      else
+        forward_path_9_choice_2 := forward_occluding_8;
+      end if;
+      if forward_next_first then
+        forward_path_9_choice_3 := 0;
+      else
+        forward_path_9_choice_3 := forward_path_9_choice_2;
+      end if;
       forward_path_10_any := (not ((((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1));
       forward_path_10_value := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
-      forward_path_10_choice := forward_dropped_10 when forward_path_10_value else forward_stayed_10;
-      forward_path_10_choice_2 := forward_path_10_choice when forward_path_10_any else forward_occluding_9;
-      forward_path_10_choice_3 := 0 when forward_next_first else forward_path_10_choice_2;
+      if forward_path_10_value then
+        forward_path_10_choice := forward_dropped_10;
+      else
+        forward_path_10_choice := forward_stayed_10;
+      end if;
+      if forward_path_10_any then
+        forward_path_10_choice_2 := forward_path_10_choice;
+      else
+        forward_path_10_choice_2 := forward_occluding_9;
+      end if;
+      if forward_next_first then
+        forward_path_10_choice_3 := 0;
+      else
+        forward_path_10_choice_3 := forward_path_10_choice_2;
+      end if;
       forward_path_11_any := (not ((((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1));
       forward_path_11_value := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
-      forward_path_11_choice := forward_dropped_11 when forward_path_11_value else forward_stayed_11;
-      forward_path_11_choice_2 := forward_path_11_choice when forward_path_11_any else forward_occluding_10;
-      forward_path_11_choice_3 := 0 when forward_next_first else forward_path_11_choice_2;
+      if forward_path_11_value then
+        forward_path_11_choice := forward_dropped_11;
+      else
+        forward_path_11_choice := forward_stayed_11;
+      end if;
+      if forward_path_11_any then
+        forward_path_11_choice_2 := forward_path_11_choice;
+      else
+        forward_path_11_choice_2 := forward_occluding_10;
+      end if;
+      if forward_next_first then
+        forward_path_11_choice_3 := 0;
+      else
+        forward_path_11_choice_3 := forward_path_11_choice_2;
+      end if;
       forward_dropped_0_value := (((forward_path_6 - forward_path_1) mod 512) / 256) = 1;
-      forward_dropped_0_choice := forward_path_6 when forward_dropped_0_value else forward_path_1;
+      if forward_dropped_0_value then
+        forward_dropped_0_choice := forward_path_6;
+      else
+        forward_dropped_0_choice := forward_path_1;
+      end if;
       forward_dropped_1_value := (((forward_path_7 - forward_path_2) mod 512) / 256) = 1;
-      forward_dropped_1_choice := forward_path_7 when forward_dropped_1_value else forward_path_2;
+      if forward_dropped_1_value then
+        forward_dropped_1_choice := forward_path_7;
+      else
+        forward_dropped_1_choice := forward_path_2;
+      end if;
       forward_dropped_2_value := (((forward_path_8 - forward_path_3) mod 512) / 256) = 1;
-      forward_dropped_2_choice := forward_path_8 when forward_dropped_2_value else forward_path_3;
+      if forward_dropped_2_value then
+        forward_dropped_2_choice := forward_path_8;
+      else
+        forward_dropped_2_choice := forward_path_3;
+      end if;
       forward_dropped_3_value := (((forward_path_9 - forward_path_4) mod 512) / 256) = 1;
-      forward_dropped_3_choice := forward_path_9 when forward_dropped_3_value else forward_path_4;
+      if forward_dropped_3_value then
+        forward_dropped_3_choice := forward_path_9;
+      else
+        forward_dropped_3_choice := forward_path_4;
+      end if;
       forward_dropped_4_value := (((forward_path_10 - forward_path_5) mod 512) / 256) = 1;
-      forward_dropped_4_choice := forward_path_10 when forward_dropped_4_value else forward_path_5;
+      if forward_dropped_4_value then
+        forward_dropped_4_choice := forward_path_10;
+      else
+        forward_dropped_4_choice := forward_path_5;
+      end if;
       forward_dropped_5_value := (((forward_path_11 - forward_path_6) mod 512) / 256) = 1;
-      forward_dropped_5_choice := forward_path_11 when forward_dropped_5_value else forward_path_6;
-      forward_decision_0_choice := 2 when forward_far_0 else 1;
-      forward_decision_1_choice := 2 when forward_far_1 else 1;
-      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value else 0;
-      forward_decision_2_choice := 2 when forward_far_2 else 1;
-      forward_decision_2_choice_2 := forward_decision_2_choice when forward_path_2_value else 0;
-      forward_decision_3_choice := 2 when forward_far_3 else 1;
-      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value else 0;
-      forward_decision_4_choice := 2 when forward_far_4 else 1;
-      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value else 0;
-      forward_decision_5_choice := 2 when forward_far_5 else 1;
-      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value else 0;
+      if forward_dropped_5_value then
+        forward_dropped_5_choice := forward_path_11;
+      else
+        forward_dropped_5_choice := forward_path_6;
+      end if;
+      if forward_far_0 then
+        forward_decision_0_choice := 2;
+      else
+        forward_decision_0_choice := 1;
+      end if;
+      if forward_far_1 then
+        forward_decision_1_choice := 2;
+      else
+        forward_decision_1_choice := 1;
+      end if;
+      if forward_path_1_value then
+        forward_decision_1_choice_2 := forward_decision_1_choice;
+      else
+        forward_decision_1_choice_2 := 0;
+      end if;
+      if forward_far_2 then
+        forward_decision_2_choice := 2;
+      else
+        forward_decision_2_choice := 1;
+      end if;
+      if forward_path_2_value then
+        forward_decision_2_choice_2 := forward_decision_2_choice;
+      else
+        forward_decision_2_choice_2 := 0;
+      end if;
+      if forward_far_3 then
+        forward_decision_3_choice := 2;
+      else
+        forward_decision_3_choice := 1;
+      end if;
+      if forward_path_3_value then
+        forward_decision_3_choice_2 := forward_decision_3_choice;
+      else
+        forward_decision_3_choice_2 := 0;
+      end if;
+      if forward_far_4 then
+        forward_decision_4_choice := 2;
+      else
+        forward_decision_4_choice := 1;
+      end if;
+      if forward_path_4_value then
+        forward_decision_4_choice_2 := forward_decision_4_choice;
+      else
+        forward_decision_4_choice_2 := 0;
+      end if;
+      if forward_far_5 then
+        forward_decision_5_choice := 2;
+      else
+        forward_decision_5_choice := 1;
+      end if;
+      if forward_path_5_value then
+        forward_decision_5_choice_2 := forward_decision_5_choice;
+      else
+        forward_decision_5_choice_2 := 0;
+      end if;
       if entry_tag_valid then
         forward_next_cost_0 <= entry_cost_0;
         forward_next_cost_1 <= entry_cost_1;
@@ -1066,59 +1420,168 @@ begin
         forward_stayed_9 <= (forward_path_9_choice_3 + forward_next_cost_9) mod 512;
         forward_stayed_10 <= (forward_path_10_choice_3 + forward_next_cost_10) mod 512;
         forward_stayed_11 <= (forward_path_11_choice_3 + forward_next_cost_11) mod 512;
-        forward_occluding_0 <= 128 when forward_next_first else (forward_path_0_choice_2 + 7) mod 512;
-        forward_occluding_1 <= 128 when forward_next_first else (forward_path_1_choice_3 + 7) mod 512;
-        forward_occluding_2 <= 128 when forward_next_first else (forward_path_2_choice_3 + 7) mod 512;
-        forward_occluding_3 <= 128 when forward_next_first else (forward_path_3_choice_3 + 7) mod 512;
-        forward_occluding_4 <= 128 when forward_next_first else (forward_path_4_choice_3 + 7) mod 512;
-        forward_occluding_5 <= 128 when forward_next_first else (forward_path_5_choice_3 + 7) mod 512;
-        forward_occluding_6 <= 128 when forward_next_first else (forward_path_6_choice_3 + 7) mod 512;
-        forward_occluding_7 <= 128 when forward_next_first else (forward_path_7_choice_3 + 7) mod 512;
-        forward_occluding_8 <= 128 when forward_next_first else (forward_path_8_choice_3 + 7) mod 512;
-        forward_occluding_9 <= 128 when forward_next_first else (forward_path_9_choice_3 + 7) mod 512;
-        forward_occluding_10 <= 128 when forward_next_first else (forward_path_10_choice_3 + 7) mod 512;
-        forward_dropped_0 <= 128 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod 512;
-        forward_dropped_1 <= 128 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod 512;
-        forward_dropped_2 <= 128 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod 512;
-        forward_dropped_3 <= 128 when forward_next_first else (forward_pair_cost_3 + forward_dropped_3_choice) mod 512;
-        forward_dropped_4 <= 128 when forward_next_first else (forward_pair_cost_4 + forward_dropped_4_choice) mod 512;
-        forward_dropped_5 <= 128 when forward_next_first else (forward_pair_cost_5 + forward_dropped_5_choice) mod 512;
-        forward_dropped_6 <= 128 when forward_next_first else (forward_pair_cost_6 + forward_path_7) mod 512;
-        forward_dropped_7 <= 128 when forward_next_first else (forward_pair_cost_7 + forward_path_8) mod 512;
-        forward_dropped_8 <= 128 when forward_next_first else (forward_pair_cost_8 + forward_path_9) mod 512;
-        forward_dropped_9 <= 128 when forward_next_first else (forward_pair_cost_9 + forward_path_10) mod 512;
-        forward_dropped_10 <= 128 when forward_next_first else (forward_pair_cost_10 + forward_path_11) mod 512;
-        forward_dropped_11 <= 128 when forward_next_first else (forward_pair_cost_11 + forward_path_11) mod 512;
         forward_far_0 <= forward_dropped_0_value and (not forward_next_first);
-        forward_decision_0 <= forward_decision_0_choice when forward_path_0_value else 0;
-        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_any else 3;
-        forward_decision_2 <= forward_decision_2_choice_2 when forward_path_2_any else 3;
-        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_any else 3;
-        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_any else 3;
-        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_any else 3;
-        forward_decision_6 <= as_number(forward_path_6_value) when forward_path_6_any else 3;
-        forward_decision_7 <= as_number(forward_path_7_value) when forward_path_7_any else 3;
-        forward_decision_8 <= as_number(forward_path_8_value) when forward_path_8_any else 3;
-        forward_decision_9 <= as_number(forward_path_9_value) when forward_path_9_any else 3;
-        forward_decision_10 <= as_number(forward_path_10_value) when forward_path_10_any else 3;
-        forward_decision_11 <= as_number(forward_path_11_value) when forward_path_11_any else 3;
+        if forward_next_first then
+          forward_occluding_0 <= 128;
+          forward_occluding_1 <= 128;
+          forward_occluding_2 <= 128;
+          forward_occluding_3 <= 128;
+          forward_occluding_4 <= 128;
+          forward_occluding_5 <= 128;
+          forward_occluding_6 <= 128;
+          forward_occluding_7 <= 128;
+          forward_occluding_8 <= 128;
+          forward_occluding_9 <= 128;
+          forward_occluding_10 <= 128;
+          forward_dropped_0 <= 128;
+          forward_dropped_1 <= 128;
+          forward_dropped_2 <= 128;
+          forward_dropped_3 <= 128;
+          forward_dropped_4 <= 128;
+          forward_dropped_5 <= 128;
+          forward_dropped_6 <= 128;
+          forward_dropped_7 <= 128;
+          forward_dropped_8 <= 128;
+          forward_dropped_9 <= 128;
+          forward_dropped_10 <= 128;
+          forward_dropped_11 <= 128;
+        else
+          forward_occluding_0 <= (forward_path_0_choice_2 + 7) mod 512;
+          forward_occluding_1 <= (forward_path_1_choice_3 + 7) mod 512;
+          forward_occluding_2 <= (forward_path_2_choice_3 + 7) mod 512;
+          forward_occluding_3 <= (forward_path_3_choice_3 + 7) mod 512;
+          forward_occluding_4 <= (forward_path_4_choice_3 + 7) mod 512;
+          forward_occluding_5 <= (forward_path_5_choice_3 + 7) mod 512;
+          forward_occluding_6 <= (forward_path_6_choice_3 + 7) mod 512;
+          forward_occluding_7 <= (forward_path_7_choice_3 + 7) mod 512;
+          forward_occluding_8 <= (forward_path_8_choice_3 + 7) mod 512;
+          forward_occluding_9 <= (forward_path_9_choice_3 + 7) mod 512;
+          forward_occluding_10 <= (forward_path_10_choice_3 + 7) mod 512;
+          forward_dropped_0 <= (forward_pair_cost_0 + forward_dropped_0_choice) mod 512;
+          forward_dropped_1 <= (forward_pair_cost_1 + forward_dropped_1_choice) mod 512;
+          forward_dropped_2 <= (forward_pair_cost_2 + forward_dropped_2_choice) mod 512;
+          forward_dropped_3 <= (forward_pair_cost_3 + forward_dropped_3_choice) mod 512;
+          forward_dropped_4 <= (forward_pair_cost_4 + forward_dropped_4_choice) mod 512;
+          forward_dropped_5 <= (forward_pair_cost_5 + forward_dropped_5_choice) mod 512;
+          forward_dropped_6 <= (forward_pair_cost_6 + forward_path_7) mod 512;
+          forward_dropped_7 <= (forward_pair_cost_7 + forward_path_8) mod 512;
+          forward_dropped_8 <= (forward_pair_cost_8 + forward_path_9) mod 512;
+          forward_dropped_9 <= (forward_pair_cost_9 + forward_path_10) mod 512;
+          forward_dropped_10 <= (forward_pair_cost_10 + forward_path_11) mod 512;
+          forward_dropped_11 <= (forward_pair_cost_11 + forward_path_11) mod 512;
+        end if;
+        if forward_path_0_value then
+          forward_decision_0 <= forward_decision_0_choice;
+        else
+          forward_decision_0 <= 0;
+        end if;
+        if forward_path_1_any then
+          forward_decision_1 <= forward_decision_1_choice_2;
+        else
+          forward_decision_1 <= 3;
+        end if;
+        if forward_path_2_any then
+          forward_decision_2 <= forward_decision_2_choice_2;
+        else
+          forward_decision_2 <= 3;
+        end if;
+        if forward_path_3_any then
+          forward_decision_3 <= forward_decision_3_choice_2;
+        else
+          forward_decision_3 <= 3;
+        end if;
+        if forward_path_4_any then
+          forward_decision_4 <= forward_decision_4_choice_2;
+        else
+          forward_decision_4 <= 3;
+        end if;
+        if forward_path_5_any then
+          forward_decision_5 <= forward_decision_5_choice_2;
+        else
+          forward_decision_5 <= 3;
+        end if;
+        if forward_path_6_any then
+          forward_decision_6 <= as_number(forward_path_6_value);
+        else
+          forward_decision_6 <= 3;
+        end if;
+        if forward_path_7_any then
+          forward_decision_7 <= as_number(forward_path_7_value);
+        else
+          forward_decision_7 <= 3;
+        end if;
+        if forward_path_8_any then
+          forward_decision_8 <= as_number(forward_path_8_value);
+        else
+          forward_decision_8 <= 3;
+        end if;
+        if forward_path_9_any then
+          forward_decision_9 <= as_number(forward_path_9_value);
+        else
+          forward_decision_9 <= 3;
+        end if;
+        if forward_path_10_any then
+          forward_decision_10 <= as_number(forward_path_10_value);
+        else
+          forward_decision_10 <= 3;
+        end if;
+        if forward_path_11_any then
+          forward_decision_11 <= as_number(forward_path_11_value);
+        else
+          forward_decision_11 <= 3;
+        end if;
       end if;
       forward_far_1_any := (not entry_tag_valid) or (not forward_next_first);
-      forward_far_1_choice := forward_far_1_any when forward_dropped_1_value else not entry_tag_valid;
-      forward_far_2_choice := forward_far_1_any when forward_dropped_2_value else not entry_tag_valid;
-      forward_far_3_choice := forward_far_1_any when forward_dropped_3_value else not entry_tag_valid;
-      forward_far_4_choice := forward_far_1_any when forward_dropped_4_value else not entry_tag_valid;
-      forward_far_5_choice := forward_far_1_any when forward_dropped_5_value else not entry_tag_valid;
-      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and entry_tag_valid and
-        (not forward_next_first);
+      if forward_dropped_1_value then
+        forward_far_1_choice := forward_far_1_any;
+      else
+        forward_far_1_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_2_value then
+        forward_far_2_choice := forward_far_1_any;
+      else
+        forward_far_2_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_3_value then
+        forward_far_3_choice := forward_far_1_any;
+      else
+        forward_far_3_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_4_value then
+        forward_far_4_choice := forward_far_1_any;
+      else
+        forward_far_4_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_5_value then
+        forward_far_5_choice := forward_far_1_any;
+      else
+        forward_far_5_choice := not entry_tag_valid;
+      end if;
+      if forward_far_1 then
+        forward_far_1 <= forward_far_1_choice;
+      else
+        forward_far_1 <= forward_dropped_1_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_2 then
+        forward_far_2 <= forward_far_2_choice;
+      else
+        forward_far_2 <= forward_dropped_2_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_3 then
+        forward_far_3 <= forward_far_3_choice;
+      else
+        forward_far_3 <= forward_dropped_3_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_4 then
+        forward_far_4 <= forward_far_4_choice;
+      else
+        forward_far_4 <= forward_dropped_4_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_5 then
+        forward_far_5 <= forward_far_5_choice;
+      else
+        forward_far_5 <= forward_dropped_5_value and entry_tag_valid and (not forward_next_first);
+      end if;
       -- decisions
       if entry_tag_valid then
         decisions_ready_decision_0 <= to_integer(decisions_read_words_0(1 downto 0));
@@ -1185,57 +1648,101 @@ begin
       lastwinner1_best_cost_0_3_is_less := (last_path_0_7 - last_path_0_6) < 0;
       lastwinner1_best_cost_0_4_is_less := (last_path_0_9 - last_path_0_8) < 0;
       lastwinner1_best_cost_0_5_is_less := (last_path_0_11 - last_path_0_10) < 0;
-      lastwinner1_best_cost_0_0 <= last_path_0_1 when lastwinner1_best_cost_0_0_is_less else last_path_0_0;
-      lastwinner1_best_cost_0_1 <= last_path_0_3 when lastwinner1_best_cost_0_1_is_less else last_path_0_2;
-      lastwinner1_best_cost_0_2 <= last_path_0_5 when lastwinner1_best_cost_0_2_is_less else last_path_0_4;
-      lastwinner1_best_cost_0_3 <= last_path_0_7 when lastwinner1_best_cost_0_3_is_less else last_path_0_6;
-      lastwinner1_best_cost_0_4 <= last_path_0_9 when lastwinner1_best_cost_0_4_is_less else last_path_0_8;
-      lastwinner1_best_cost_0_5 <= last_path_0_11 when lastwinner1_best_cost_0_5_is_less else last_path_0_10;
       lastwinner1_best_index_0_0 <= lastwinner1_best_cost_0_0_is_less;
-      lastwinner1_best_index_0_1 <= 3 when lastwinner1_best_cost_0_1_is_less else 2;
-      lastwinner1_best_index_0_2 <= 5 when lastwinner1_best_cost_0_2_is_less else 4;
-      lastwinner1_best_index_0_3 <= 7 when lastwinner1_best_cost_0_3_is_less else 6;
-      lastwinner1_best_index_0_4 <= 9 when lastwinner1_best_cost_0_4_is_less else 8;
-      lastwinner1_best_index_0_5 <= 11 when lastwinner1_best_cost_0_5_is_less else 10;
       lastwinner1_tag_valid <= last_tag_valid;
       lastwinner1_tag_map_column <= last_tag_map_column;
       lastwinner1_tag_end_of_line <= last_tag_end_of_line;
+      if lastwinner1_best_cost_0_0_is_less then
+        lastwinner1_best_cost_0_0 <= last_path_0_1;
+      else
+        lastwinner1_best_cost_0_0 <= last_path_0_0;
+      end if;
+      if lastwinner1_best_cost_0_1_is_less then
+        lastwinner1_best_cost_0_1 <= last_path_0_3;
+        lastwinner1_best_index_0_1 <= 3;
+      else
+        lastwinner1_best_cost_0_1 <= last_path_0_2;
+        lastwinner1_best_index_0_1 <= 2;
+      end if;
+      if lastwinner1_best_cost_0_2_is_less then
+        lastwinner1_best_cost_0_2 <= last_path_0_5;
+        lastwinner1_best_index_0_2 <= 5;
+      else
+        lastwinner1_best_cost_0_2 <= last_path_0_4;
+        lastwinner1_best_index_0_2 <= 4;
+      end if;
+      if lastwinner1_best_cost_0_3_is_less then
+        lastwinner1_best_cost_0_3 <= last_path_0_7;
+        lastwinner1_best_index_0_3 <= 7;
+      else
+        lastwinner1_best_cost_0_3 <= last_path_0_6;
+        lastwinner1_best_index_0_3 <= 6;
+      end if;
+      if lastwinner1_best_cost_0_4_is_less then
+        lastwinner1_best_cost_0_4 <= last_path_0_9;
+        lastwinner1_best_index_0_4 <= 9;
+      else
+        lastwinner1_best_cost_0_4 <= last_path_0_8;
+        lastwinner1_best_index_0_4 <= 8;
+      end if;
+      if lastwinner1_best_cost_0_5_is_less then
+        lastwinner1_best_cost_0_5 <= last_path_0_11;
+        lastwinner1_best_index_0_5 <= 11;
+      else
+        lastwinner1_best_cost_0_5 <= last_path_0_10;
+        lastwinner1_best_index_0_5 <= 10;
+      end if;
       -- lastwinner2
       lastwinner2_best_cost_0_0_is_less := (lastwinner1_best_cost_0_1 - lastwinner1_best_cost_0_0) < 0;
       lastwinner2_best_cost_0_1_is_less := (lastwinner1_best_cost_0_3 - lastwinner1_best_cost_0_2) < 0;
       lastwinner2_best_cost_0_2_is_less := (lastwinner1_best_cost_0_5 - lastwinner1_best_cost_0_4) < 0;
-      lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1 when lastwinner2_best_cost_0_0_is_less else
-        lastwinner1_best_cost_0_0;
-      lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3 when lastwinner2_best_cost_0_1_is_less else
-        lastwinner1_best_cost_0_2;
-      lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_5 when lastwinner2_best_cost_0_2_is_less else
-        lastwinner1_best_cost_0_4;
-      lastwinner2_best_index_0_0 <= lastwinner1_best_index_0_1 when lastwinner2_best_cost_0_0_is_less else
-        as_number(lastwinner1_best_index_0_0);
-      lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_3 when lastwinner2_best_cost_0_1_is_less else
-        lastwinner1_best_index_0_2;
-      lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_5 when lastwinner2_best_cost_0_2_is_less else
-        lastwinner1_best_index_0_4;
       lastwinner2_tag_valid <= lastwinner1_tag_valid;
       lastwinner2_tag_map_column <= lastwinner1_tag_map_column;
       lastwinner2_tag_end_of_line <= lastwinner1_tag_end_of_line;
+      if lastwinner2_best_cost_0_0_is_less then
+        lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1;
+        lastwinner2_best_index_0_0 <= lastwinner1_best_index_0_1;
+      else
+        lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_0;
+        lastwinner2_best_index_0_0 <= as_number(lastwinner1_best_index_0_0);
+      end if;
+      if lastwinner2_best_cost_0_1_is_less then
+        lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3;
+        lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_3;
+      else
+        lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_2;
+        lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_2;
+      end if;
+      if lastwinner2_best_cost_0_2_is_less then
+        lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_5;
+        lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_5;
+      else
+        lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_4;
+        lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_4;
+      end if;
       -- lastwinner3
       lastwinner3_best_cost_0_0_is_less := (lastwinner2_best_cost_0_1 - lastwinner2_best_cost_0_0) < 0;
-      lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1 when lastwinner3_best_cost_0_0_is_less else
-        lastwinner2_best_cost_0_0;
       lastwinner3_best_cost_0_1 <= lastwinner2_best_cost_0_2;
-      lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_1 when lastwinner3_best_cost_0_0_is_less else
-        lastwinner2_best_index_0_0;
       lastwinner3_best_index_0_1 <= lastwinner2_best_index_0_2;
       lastwinner3_tag_valid <= lastwinner2_tag_valid;
       lastwinner3_tag_map_column <= lastwinner2_tag_map_column;
       lastwinner3_tag_end_of_line <= lastwinner2_tag_end_of_line;
+      if lastwinner3_best_cost_0_0_is_less then
+        lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1;
+        lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_1;
+      else
+        lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_0;
+        lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_0;
+      end if;
       -- lastwinner4
-      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when (lastwinner3_best_cost_0_1 -
-        lastwinner3_best_cost_0_0) < 0 else lastwinner3_best_index_0_0;
       lastwinner4_tag_valid <= lastwinner3_tag_valid;
       lastwinner4_tag_map_column <= lastwinner3_tag_map_column;
       lastwinner4_tag_end_of_line <= lastwinner3_tag_end_of_line;
+      if (lastwinner3_best_cost_0_1 - lastwinner3_best_cost_0_0) < 0 then
+        lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1;
+      else
+        lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_0;
+      end if;
       -- traceback
       traceback_state_is_equal := traceback_falling = 1;
       traceback_state_sum := traceback_state + 1;
@@ -1260,99 +1767,230 @@ begin
         traceback_state_choice_3 := traceback_state_choice_2;
       end if;
       traceback_decision_value := (((traceback_state_sum mod 256) / 2) mod 2) = 1;
-      traceback_decision_choice := decisions_ready_decision_11 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_10;
-      traceback_decision_choice_2 := decisions_ready_decision_9 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_8;
-      traceback_decision_choice_3 := traceback_decision_choice when traceback_decision_value else
-        traceback_decision_choice_2;
-      traceback_decision_choice_4 := decisions_ready_decision_7 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_6;
-      traceback_decision_choice_5 := decisions_ready_decision_5 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_4;
-      traceback_decision_choice_6 := traceback_decision_choice_4 when traceback_decision_value else
-        traceback_decision_choice_5;
-      traceback_decision_choice_7 := decisions_ready_decision_3 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_2;
-      traceback_decision_choice_8 := decisions_ready_decision_1 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_0;
-      traceback_decision_choice_9 := traceback_decision_choice_7 when traceback_decision_value else
-        traceback_decision_choice_8;
-      traceback_decision_choice_10 := traceback_decision_choice_6 when (((traceback_state_sum mod 256) / 4) mod 2) = 1
-        else traceback_decision_choice_9;
-      traceback_decision_choice_11 := traceback_decision_choice_3 when (((traceback_state_sum mod 256) / 8) mod 2) = 1
-        else traceback_decision_choice_10;
-      traceback_decision_choice_12 := decisions_ready_decision_11 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_10;
-      traceback_decision_choice_13 := decisions_ready_decision_9 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_8;
-      traceback_decision_choice_14 := traceback_decision_choice_12 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_13;
-      traceback_decision_choice_15 := decisions_ready_decision_7 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_6;
-      traceback_decision_choice_16 := decisions_ready_decision_5 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_4;
-      traceback_decision_choice_17 := traceback_decision_choice_15 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_16;
-      traceback_decision_choice_18 := decisions_ready_decision_3 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_2;
-      traceback_decision_choice_19 := decisions_ready_decision_1 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_0;
-      traceback_decision_choice_20 := traceback_decision_choice_18 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_19;
-      traceback_decision_choice_21 := traceback_decision_choice_17 when (((traceback_state_sum_2 mod 128) / 2) mod 2) =
-        1 else traceback_decision_choice_20;
-      traceback_decision_choice_22 := traceback_decision_choice_14 when (((traceback_state_sum_2 mod 128) / 4) mod 2) =
-        1 else traceback_decision_choice_21;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice := decisions_ready_decision_11;
+      else
+        traceback_decision_choice := decisions_ready_decision_10;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_2 := decisions_ready_decision_9;
+      else
+        traceback_decision_choice_2 := decisions_ready_decision_8;
+      end if;
+      if traceback_decision_value then
+        traceback_decision_choice_3 := traceback_decision_choice;
+      else
+        traceback_decision_choice_3 := traceback_decision_choice_2;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_4 := decisions_ready_decision_7;
+      else
+        traceback_decision_choice_4 := decisions_ready_decision_6;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_5 := decisions_ready_decision_5;
+      else
+        traceback_decision_choice_5 := decisions_ready_decision_4;
+      end if;
+      if traceback_decision_value then
+        traceback_decision_choice_6 := traceback_decision_choice_4;
+      else
+        traceback_decision_choice_6 := traceback_decision_choice_5;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_7 := decisions_ready_decision_3;
+      else
+        traceback_decision_choice_7 := decisions_ready_decision_2;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_8 := decisions_ready_decision_1;
+      else
+        traceback_decision_choice_8 := decisions_ready_decision_0;
+      end if;
+      if traceback_decision_value then
+        traceback_decision_choice_9 := traceback_decision_choice_7;
+      else
+        traceback_decision_choice_9 := traceback_decision_choice_8;
+      end if;
+      if (((traceback_state_sum mod 256) / 4) mod 2) = 1 then
+        traceback_decision_choice_10 := traceback_decision_choice_6;
+      else
+        traceback_decision_choice_10 := traceback_decision_choice_9;
+      end if;
+      if (((traceback_state_sum mod 256) / 8) mod 2) = 1 then
+        traceback_decision_choice_11 := traceback_decision_choice_3;
+      else
+        traceback_decision_choice_11 := traceback_decision_choice_10;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_12 := decisions_ready_decision_11;
+      else
+        traceback_decision_choice_12 := decisions_ready_decision_10;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_13 := decisions_ready_decision_9;
+      else
+        traceback_decision_choice_13 := decisions_ready_decision_8;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_14 := traceback_decision_choice_12;
+      else
+        traceback_decision_choice_14 := traceback_decision_choice_13;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_15 := decisions_ready_decision_7;
+      else
+        traceback_decision_choice_15 := decisions_ready_decision_6;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_16 := decisions_ready_decision_5;
+      else
+        traceback_decision_choice_16 := decisions_ready_decision_4;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_17 := traceback_decision_choice_15;
+      else
+        traceback_decision_choice_17 := traceback_decision_choice_16;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_18 := decisions_ready_decision_3;
+      else
+        traceback_decision_choice_18 := decisions_ready_decision_2;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_19 := decisions_ready_decision_1;
+      else
+        traceback_decision_choice_19 := decisions_ready_decision_0;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_20 := traceback_decision_choice_18;
+      else
+        traceback_decision_choice_20 := traceback_decision_choice_19;
+      end if;
+      if (((traceback_state_sum_2 mod 128) / 2) mod 2) = 1 then
+        traceback_decision_choice_21 := traceback_decision_choice_17;
+      else
+        traceback_decision_choice_21 := traceback_decision_choice_20;
+      end if;
+      if (((traceback_state_sum_2 mod 128) / 4) mod 2) = 1 then
+        traceback_decision_choice_22 := traceback_decision_choice_14;
+      else
+        traceback_decision_choice_22 := traceback_decision_choice_21;
+      end if;
       traceback_decision_value_2 := (((traceback_state_sum_3 mod 256) / 2) mod 2) = 1;
-      traceback_decision_choice_23 := decisions_ready_decision_11 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_10;
-      traceback_decision_choice_24 := decisions_ready_decision_9 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_8;
-      traceback_decision_choice_25 := traceback_decision_choice_23 when traceback_decision_value_2 else
-        traceback_decision_choice_24;
-      traceback_decision_choice_26 := decisions_ready_decision_7 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_6;
-      traceback_decision_choice_27 := decisions_ready_decision_5 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_4;
-      traceback_decision_choice_28 := traceback_decision_choice_26 when traceback_decision_value_2 else
-        traceback_decision_choice_27;
-      traceback_decision_choice_29 := decisions_ready_decision_3 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_2;
-      traceback_decision_choice_30 := decisions_ready_decision_1 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_0;
-      traceback_decision_choice_31 := traceback_decision_choice_29 when traceback_decision_value_2 else
-        traceback_decision_choice_30;
-      traceback_decision_choice_32 := traceback_decision_choice_28 when (((traceback_state_sum_3 mod 256) / 4) mod 2) =
-        1 else traceback_decision_choice_31;
-      traceback_decision_choice_33 := traceback_decision_choice_25 when (((traceback_state_sum_3 mod 256) / 8) mod 2) =
-        1 else traceback_decision_choice_32;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_23 := decisions_ready_decision_11;
+      else
+        traceback_decision_choice_23 := decisions_ready_decision_10;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_24 := decisions_ready_decision_9;
+      else
+        traceback_decision_choice_24 := decisions_ready_decision_8;
+      end if;
+      if traceback_decision_value_2 then
+        traceback_decision_choice_25 := traceback_decision_choice_23;
+      else
+        traceback_decision_choice_25 := traceback_decision_choice_24;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_26 := decisions_ready_decision_7;
+      else
+        traceback_decision_choice_26 := decisions_ready_decision_6;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_27 := decisions_ready_decision_5;
+      else
+        traceback_decision_choice_27 := decisions_ready_decision_4;
+      end if;
+      if traceback_decision_value_2 then
+        traceback_decision_choice_28 := traceback_decision_choice_26;
+      else
+        traceback_decision_choice_28 := traceback_decision_choice_27;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_29 := decisions_ready_decision_3;
+      else
+        traceback_decision_choice_29 := decisions_ready_decision_2;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_30 := decisions_ready_decision_1;
+      else
+        traceback_decision_choice_30 := decisions_ready_decision_0;
+      end if;
+      if traceback_decision_value_2 then
+        traceback_decision_choice_31 := traceback_decision_choice_29;
+      else
+        traceback_decision_choice_31 := traceback_decision_choice_30;
+      end if;
+      if (((traceback_state_sum_3 mod 256) / 4) mod 2) = 1 then
+        traceback_decision_choice_32 := traceback_decision_choice_28;
+      else
+        traceback_decision_choice_32 := traceback_decision_choice_31;
+      end if;
+      if (((traceback_state_sum_3 mod 256) / 8) mod 2) = 1 then
+        traceback_decision_choice_33 := traceback_decision_choice_25;
+      else
+        traceback_decision_choice_33 := traceback_decision_choice_32;
+      end if;
       traceback_decision_value_3 := ((traceback_state / 2) mod 2) = 1;
-      traceback_decision_choice_34 := traceback_decision_choice_12 when traceback_decision_value_3 else
-        traceback_decision_choice_13;
-      traceback_decision_choice_35 := traceback_decision_choice_15 when traceback_decision_value_3 else
-        traceback_decision_choice_16;
-      traceback_decision_choice_36 := traceback_decision_choice_18 when traceback_decision_value_3 else
-        traceback_decision_choice_19;
-      traceback_decision_choice_37 := traceback_decision_choice_35 when ((traceback_state / 4) mod 2) = 1 else
-        traceback_decision_choice_36;
-      traceback_decision_choice_38 := traceback_decision_choice_34 when ((traceback_state / 8) mod 2) = 1 else
-        traceback_decision_choice_37;
-      traceback_decision_choice_39 := traceback_decision_choice_33 when traceback_state_all else
-        traceback_decision_choice_38;
-      traceback_decision_choice_40 := traceback_decision_choice_22 when traceback_state_is_equal_2 else
-        traceback_decision_choice_39;
-      traceback_decision_choice_41 := traceback_decision_choice_11 when traceback_state_is_equal else
-        traceback_decision_choice_40;
+      if traceback_decision_value_3 then
+        traceback_decision_choice_34 := traceback_decision_choice_12;
+      else
+        traceback_decision_choice_34 := traceback_decision_choice_13;
+      end if;
+      if traceback_decision_value_3 then
+        traceback_decision_choice_35 := traceback_decision_choice_15;
+      else
+        traceback_decision_choice_35 := traceback_decision_choice_16;
+      end if;
+      if traceback_decision_value_3 then
+        traceback_decision_choice_36 := traceback_decision_choice_18;
+      else
+        traceback_decision_choice_36 := traceback_decision_choice_19;
+      end if;
+      if ((traceback_state / 4) mod 2) = 1 then
+        traceback_decision_choice_37 := traceback_decision_choice_35;
+      else
+        traceback_decision_choice_37 := traceback_decision_choice_36;
+      end if;
+      if ((traceback_state / 8) mod 2) = 1 then
+        traceback_decision_choice_38 := traceback_decision_choice_34;
+      else
+        traceback_decision_choice_38 := traceback_decision_choice_37;
+      end if;
+      if traceback_state_all then
+        traceback_decision_choice_39 := traceback_decision_choice_33;
+      else
+        traceback_decision_choice_39 := traceback_decision_choice_38;
+      end if;
+      if traceback_state_is_equal_2 then
+        traceback_decision_choice_40 := traceback_decision_choice_22;
+      else
+        traceback_decision_choice_40 := traceback_decision_choice_39;
+      end if;
+      if traceback_state_is_equal then
+        traceback_decision_choice_41 := traceback_decision_choice_11;
+      else
+        traceback_decision_choice_41 := traceback_decision_choice_40;
+      end if;
       if entry_tag_valid then
-        traceback_state <= traceback_state_choice_3 when decisions_comes_0 else last_state;
-        traceback_decision <= traceback_decision_choice_41 when decisions_comes_0 else 0;
-        traceback_falling <= traceback_decision when ((((traceback_decision + 255) mod 256) / 2) = 0) and
-          decisions_comes_0 and traceback_state_is_equal_3 else 0;
         traceback_tags_held_0_output_column <= entry_turned_output_column;
         traceback_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
         traceback_tags_held_1_output_column <= traceback_tags_held_0_output_column;
         traceback_tags_held_1_start_of_frame <= traceback_tags_held_0_start_of_frame;
+        if decisions_comes_0 then
+          traceback_state <= traceback_state_choice_3;
+          traceback_decision <= traceback_decision_choice_41;
+        else
+          traceback_state <= last_state;
+          traceback_decision <= 0;
+        end if;
+        if ((((traceback_decision + 255) mod 256) / 2) = 0) and decisions_comes_0 and traceback_state_is_equal_3 then
+          traceback_falling <= traceback_decision;
+        else
+          traceback_falling <= 0;
+        end if;
       end if;
       traceback_out_disparity_0 <= traceback_state;
       traceback_out_passed_0 <= ((traceback_falling / 2) = 1) or ((traceback_falling mod 2) = 1) or (not
@@ -1364,21 +2002,32 @@ begin
       -- turn
       turn_order_address_any := turn_order_turned_map_column or (not traceback_out_tag_map_column) or (not
         last_tag_valid);
-      turn_order_address_choice := 31 when turn_order_falls else 1;
-      turn_order_address_choice_2 := 0 when turn_order_falls else 7;
+      if turn_order_falls then
+        turn_order_address_choice := 31;
+      else
+        turn_order_address_choice := 1;
+      end if;
+      if turn_order_falls then
+        turn_order_address_choice_2 := 0;
+      else
+        turn_order_address_choice_2 := 7;
+      end if;
       turn_order_address_any_2 := (not traceback_out_tag_map_column) or (not last_tag_valid);
       if not turn_order_address_any_2 then
-        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
-          turn_order_address_choice_2 * 4;
+        if turn_order_address_any then
+          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32;
+        else
+          turn_order_address <= turn_order_address_choice_2 * 4;
+        end if;
       end if;
       turn_order_falls_all := (not turn_order_turned_map_column) and traceback_out_tag_map_column and last_tag_valid;
       turn_order_complete_all := traceback_out_tag_map_column and last_tag_valid;
-      turn_order_turned_output_column_choice := turn_order_output and turn_order_complete when turn_order_falls_all
-        else turn_order_held_output;
-      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
+      if turn_order_falls_all then
+        turn_order_turned_output_column_choice := turn_order_output and turn_order_complete;
+      else
+        turn_order_turned_output_column_choice := turn_order_held_output;
+      end if;
       turn_order_inside <= traceback_out_tag_map_column;
-      turn_order_complete <= turn_order_complete or turn_order_complete_all when traceback_out_tag_end_of_line else
-        turn_order_complete and turn_order_address_any_2;
       turn_order_turned_output_column <= turn_order_turned_output_column_choice and traceback_out_tag_map_column;
       turn_order_turned_first_column <= turn_order_falls_all;
       turn_newest <= (as_number(traceback_out_passed_0) * 256) + traceback_out_disparity_0;
@@ -1390,6 +2039,16 @@ begin
       turn_ready_tag_map_column <= turn_read_tag_map_column;
       turn_ready_tag_output_column <= turn_read_tag_output_column;
       turn_ready_tag_first_column <= turn_read_tag_first_column;
+      if turn_order_falls then
+        turn_order_falls <= turn_order_address_any;
+      else
+        turn_order_falls <= turn_order_falls_all;
+      end if;
+      if traceback_out_tag_end_of_line then
+        turn_order_complete <= turn_order_complete or turn_order_complete_all;
+      else
+        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
+      end if;
       if turn_order_falls_all then
         turn_order_output <= traceback_out_tag_output_column;
         turn_order_first <= traceback_out_tag_start_of_frame;
@@ -1403,9 +2062,17 @@ begin
         turn_write_place <= turn_order_address;
       end if;
       -- fill
-      fill_out_disparity_0_choice := 0 when turn_ready_tag_first_column else fill_out_disparity_0;
+      if turn_ready_tag_first_column then
+        fill_out_disparity_0_choice := 0;
+      else
+        fill_out_disparity_0_choice := fill_out_disparity_0;
+      end if;
       if turn_ready_tag_map_column and lastwinner3_tag_valid then
-        fill_out_disparity_0 <= turn_ready mod 256 when (turn_ready / 256) = 1 else fill_out_disparity_0_choice;
+        if (turn_ready / 256) = 1 then
+          fill_out_disparity_0 <= turn_ready mod 256;
+        else
+          fill_out_disparity_0 <= fill_out_disparity_0_choice;
+        end if;
       end if;
       fill_out_passed_0 <= (turn_ready / 256) = 1;
       fill_out_tag_output_column <= turn_ready_tag_output_column;

@@ -571,102 +571,156 @@ architecture rtl of stereo_core_tiny_trellis_size is
   signal other_1 : boolean;
   signal other_2, other_4 : unsigned(48 downto 0);
   signal other_3 : natural range 0 to 510;
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal map_rows_read_words_0_memory_read_enable : boolean;
+  signal map_rows_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal map_rows_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(17 downto 0);
+  signal turn_read_words_0_memory_read_enable : boolean;
+  signal turn_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal turn_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal decisions_read_words_0_memory_read_enable : boolean;
+  signal decisions_read_words_0_memory_read_address : unsigned(4 downto 0);
+  signal decisions_read_words_0_memory_write_address : unsigned(4 downto 0);
   signal decisions_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(5 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(5 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
-  in_image_width <= to_integer(unsigned(image_width));
-  in_image_height <= to_integer(unsigned(image_height));
-  in_occlusion_cost <= to_integer(unsigned(occlusion_cost));
-  in_drop_cost <= to_integer(unsigned(drop_cost));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
+  in_image_width <= to_integer(unsigned(to_stdlogicvector(to_bitvector(image_width))));
+  in_image_height <= to_integer(unsigned(to_stdlogicvector(to_bitvector(image_height))));
+  in_occlusion_cost <= to_integer(unsigned(to_stdlogicvector(to_bitvector(occlusion_cost))));
+  in_drop_cost <= to_integer(unsigned(to_stdlogicvector(to_bitvector(drop_cost))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 6);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 6);
   transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 32)
+    generic map (depth => 40, width => 32, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
+  map_rows_read_words_0_memory_read_enable <= true;
+  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 5);
+  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 5);
   map_rows_read_words_0_memory_write_data <= to_unsigned(map_rows_write_words_0, 18);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 18)
+    generic map (depth => 29, width => 18, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
+      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
+      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
 
+  turn_read_words_0_memory_read_enable <= true;
+  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 5);
+  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 5);
   turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
   turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 9)
+    generic map (depth => 29, width => 9, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
+      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
+      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
 
+  decisions_read_words_0_memory_read_enable <= true;
+  decisions_read_words_0_memory_read_address <= to_unsigned(entry_order_address, 5);
+  decisions_read_words_0_memory_write_address <= to_unsigned(decisions_write_place, 5);
   decisions_read_words_0_memory_write_data <= to_unsigned(decisions_write_words_0, 24);
   decisions_read_words_0_memory : entity work.line_memory
-    generic map (depth => 29, width => 24)
+    generic map (depth => 29, width => 24, address_bits => 5)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => decisions_read_words_0,
-      write_address => decisions_write_place, write_data => decisions_read_words_0_memory_write_data);
+      clock => clock, read_enable => decisions_read_words_0_memory_read_enable,
+      read_address => decisions_read_words_0_memory_read_address, read_data => decisions_read_words_0,
+      write_address => decisions_read_words_0_memory_write_address, write_data => decisions_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 6);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 6);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 40, width => 24)
+    generic map (depth => 40, width => 24, address_bits => 6)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable settings_occlusion_cost_is_less, settings_drop_cost_any, transform_counter_group_value : boolean;
@@ -1219,9 +1273,17 @@ begin
       end if;
       settings_drop_cost_any := (not in_start_of_frame) or (not in_valid);
       if not settings_drop_cost_any then
-        settings_drop_cost <= in_drop_cost mod 8 when in_drop_cost < 6 else 6;
-        settings_occlusion_cost <= 1 when (not (settings_occlusion_cost_is_less and ((in_occlusion_cost mod 2) = 1)))
-          and ((settings_occlusion_cost_choice / 2) = 0) else settings_occlusion_cost_choice;
+        if in_drop_cost < 6 then
+          settings_drop_cost <= in_drop_cost mod 8;
+        else
+          settings_drop_cost <= 6;
+        end if;
+        if (not (settings_occlusion_cost_is_less and ((in_occlusion_cost mod 2) = 1))) and
+          ((settings_occlusion_cost_choice / 2) = 0) then
+          settings_occlusion_cost <= 1;
+        else
+          settings_occlusion_cost <= settings_occlusion_cost_choice;
+        end if;
       end if;
       -- size
       size_windows_last_column <= (in_image_width + 63) mod 64;
@@ -1236,32 +1298,59 @@ begin
       transform_counter_group_value_2 := ((transform_counter_group / 2) mod 2) = 1;
       transform_counter_group_is_equal := (size_windows_last_group mod 4) = 3;
       transform_counter_group_is_equal_2 := (size_windows_last_group mod 4) = 2;
-      transform_counter_group_choice := transform_counter_group_is_equal when (transform_counter_group mod 2) = 1 else
-        transform_counter_group_is_equal_2;
+      if (transform_counter_group mod 2) = 1 then
+        transform_counter_group_choice := transform_counter_group_is_equal;
+      else
+        transform_counter_group_choice := transform_counter_group_is_equal_2;
+      end if;
       transform_counter_group_is_equal_3 := (size_windows_last_group mod 4) = 1;
       transform_counter_group_is_equal_4 := (size_windows_last_group mod 4) = 0;
-      transform_counter_group_choice_2 := transform_counter_group_is_equal_3 when (transform_counter_group mod 2) = 1
-        else transform_counter_group_is_equal_4;
-      transform_counter_group_choice_3 := transform_counter_group_choice when transform_counter_group_value_2 else
-        transform_counter_group_choice_2;
+      if (transform_counter_group mod 2) = 1 then
+        transform_counter_group_choice_2 := transform_counter_group_is_equal_3;
+      else
+        transform_counter_group_choice_2 := transform_counter_group_is_equal_4;
+      end if;
+      if transform_counter_group_value_2 then
+        transform_counter_group_choice_3 := transform_counter_group_choice;
+      else
+        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+      end if;
       transform_counter_group_value_3 := ((transform_counter_group / 4) mod 2) = 1;
       transform_counter_group_value_4 := ((size_windows_last_group / 4) mod 2) = 1;
       transform_counter_group_differs_2 := transform_counter_group_value_3 /= (not transform_counter_group_value_4);
       transform_counter_group_value_5 := ((transform_counter_column / 16) mod 2) = 1;
-      transform_counter_group_choice_4 := (size_windows_last_column / 16) = 3 when transform_counter_group_value_5 else
-        (size_windows_last_column / 16) = 2;
-      transform_counter_group_choice_5 := (size_windows_last_column / 16) = 1 when transform_counter_group_value_5 else
-        (size_windows_last_column / 16) = 0;
-      transform_counter_group_choice_6 := transform_counter_group_choice_4 when (transform_counter_column / 32) = 1
-        else transform_counter_group_choice_5;
+      if transform_counter_group_value_5 then
+        transform_counter_group_choice_4 := (size_windows_last_column / 16) = 3;
+      else
+        transform_counter_group_choice_4 := (size_windows_last_column / 16) = 2;
+      end if;
+      if transform_counter_group_value_5 then
+        transform_counter_group_choice_5 := (size_windows_last_column / 16) = 1;
+      else
+        transform_counter_group_choice_5 := (size_windows_last_column / 16) = 0;
+      end if;
+      if (transform_counter_column / 32) = 1 then
+        transform_counter_group_choice_6 := transform_counter_group_choice_4;
+      else
+        transform_counter_group_choice_6 := transform_counter_group_choice_5;
+      end if;
       transform_counter_group_value_6 := ((transform_counter_column / 2) mod 2) = 1;
       transform_counter_group_value_7 := (size_windows_last_column / 2) mod 4;
-      transform_counter_group_choice_7 := transform_counter_group_value_7 = 3 when transform_counter_group_value_6 else
-        transform_counter_group_value_7 = 2;
-      transform_counter_group_choice_8 := transform_counter_group_value_7 = 1 when transform_counter_group_value_6 else
-        transform_counter_group_value_7 = 0;
-      transform_counter_group_choice_9 := transform_counter_group_choice_7 when ((transform_counter_column / 4) mod 2)
-        = 1 else transform_counter_group_choice_8;
+      if transform_counter_group_value_6 then
+        transform_counter_group_choice_7 := transform_counter_group_value_7 = 3;
+      else
+        transform_counter_group_choice_7 := transform_counter_group_value_7 = 2;
+      end if;
+      if transform_counter_group_value_6 then
+        transform_counter_group_choice_8 := transform_counter_group_value_7 = 1;
+      else
+        transform_counter_group_choice_8 := transform_counter_group_value_7 = 0;
+      end if;
+      if ((transform_counter_column / 4) mod 2) = 1 then
+        transform_counter_group_choice_9 := transform_counter_group_choice_7;
+      else
+        transform_counter_group_choice_9 := transform_counter_group_choice_8;
+      end if;
       transform_counter_group_differs_3 := ((transform_counter_column mod 2) = 1) /= (not ((size_windows_last_column
         mod 2) = 1));
       transform_counter_group_value_8 := ((size_windows_last_column / 8) mod 2) = 1;
@@ -1270,631 +1359,1413 @@ begin
       transform_counter_group_all := (not ((transform_counter_group / 16) = 1)) and transform_counter_group_differs and
         transform_counter_group_choice_3 and transform_counter_group_differs_2 and transform_counter_group_choice_6 and
         transform_counter_group_choice_9 and transform_counter_group_differs_3 and transform_counter_group_differs_4;
-      transform_counter_group_choice_10 := size_windows_groups when transform_counter_group_all else 0;
-      transform_counter_group_choice_11 := (not transform_counter_group_value_2) or (not ((transform_counter_group mod
-        2) = 1)) when (size_transform_idle mod 2) = 1 else not transform_counter_group_value_2;
-      transform_counter_group_choice_12 := transform_counter_group_choice_11 when ((size_transform_idle / 2) mod 2) = 1
-        else ((size_transform_idle mod 2) = 1) and ((transform_counter_group mod 4) = 0);
-      transform_counter_group_choice_13 := (not (((size_transform_idle / 4) mod 2) = 1)) and
-        transform_counter_group_value_3 when transform_counter_group_choice_12 else (not (((size_transform_idle / 4)
-        mod 2) = 1)) or transform_counter_group_value_3;
-      transform_counter_group_choice_14 := (not (((size_transform_idle / 8) mod 2) = 1)) or
-        transform_counter_group_value when transform_counter_group_choice_13 else (not (((size_transform_idle / 8) mod
-        2) = 1)) and transform_counter_group_value;
-      transform_counter_group_choice_15 := (not ((size_transform_idle / 16) = 1)) or ((transform_counter_group / 16) =
-        1) when transform_counter_group_choice_14 else (not ((size_transform_idle / 16) = 1)) and
-        ((transform_counter_group / 16) = 1);
-      transform_counter_group_choice_16 := (size_windows_idle / 8) = 3 when transform_counter_group_value else
-        (size_windows_idle / 8) = 2;
-      transform_counter_group_choice_17 := (size_windows_idle / 8) = 1 when transform_counter_group_value else
-        (size_windows_idle / 8) = 0;
-      transform_counter_group_choice_18 := transform_counter_group_choice_16 when (transform_counter_group / 16) = 1
-        else transform_counter_group_choice_17;
-      transform_counter_group_choice_19 := (size_windows_idle mod 4) = 3 when (transform_counter_group mod 2) = 1 else
-        (size_windows_idle mod 4) = 2;
+      if transform_counter_group_all then
+        transform_counter_group_choice_10 := size_windows_groups;
+      else
+        transform_counter_group_choice_10 := 0;
+      end if;
+      if (size_transform_idle mod 2) = 1 then
+        transform_counter_group_choice_11 := (not transform_counter_group_value_2) or (not ((transform_counter_group
+          mod 2) = 1));
+      else
+        transform_counter_group_choice_11 := not transform_counter_group_value_2;
+      end if;
+      if ((size_transform_idle / 2) mod 2) = 1 then
+        transform_counter_group_choice_12 := transform_counter_group_choice_11;
+      else
+        transform_counter_group_choice_12 := ((size_transform_idle mod 2) = 1) and ((transform_counter_group mod 4) =
+          0);
+      end if;
+      if transform_counter_group_choice_12 then
+        transform_counter_group_choice_13 := (not (((size_transform_idle / 4) mod 2) = 1)) and
+          transform_counter_group_value_3;
+      else
+        transform_counter_group_choice_13 := (not (((size_transform_idle / 4) mod 2) = 1)) or
+          transform_counter_group_value_3;
+      end if;
+      if transform_counter_group_choice_13 then
+        transform_counter_group_choice_14 := (not (((size_transform_idle / 8) mod 2) = 1)) or
+          transform_counter_group_value;
+      else
+        transform_counter_group_choice_14 := (not (((size_transform_idle / 8) mod 2) = 1)) and
+          transform_counter_group_value;
+      end if;
+      if transform_counter_group_choice_14 then
+        transform_counter_group_choice_15 := (not ((size_transform_idle / 16) = 1)) or ((transform_counter_group / 16)
+          = 1);
+      else
+        transform_counter_group_choice_15 := (not ((size_transform_idle / 16) = 1)) and ((transform_counter_group / 16)
+          = 1);
+      end if;
+      if transform_counter_group_value then
+        transform_counter_group_choice_16 := (size_windows_idle / 8) = 3;
+      else
+        transform_counter_group_choice_16 := (size_windows_idle / 8) = 2;
+      end if;
+      if transform_counter_group_value then
+        transform_counter_group_choice_17 := (size_windows_idle / 8) = 1;
+      else
+        transform_counter_group_choice_17 := (size_windows_idle / 8) = 0;
+      end if;
+      if (transform_counter_group / 16) = 1 then
+        transform_counter_group_choice_18 := transform_counter_group_choice_16;
+      else
+        transform_counter_group_choice_18 := transform_counter_group_choice_17;
+      end if;
+      if (transform_counter_group mod 2) = 1 then
+        transform_counter_group_choice_19 := (size_windows_idle mod 4) = 3;
+      else
+        transform_counter_group_choice_19 := (size_windows_idle mod 4) = 2;
+      end if;
       transform_counter_group_is_equal_5 := (size_windows_idle mod 4) = 0;
-      transform_counter_group_choice_20 := (size_windows_idle mod 4) = 1 when (transform_counter_group mod 2) = 1 else
-        transform_counter_group_is_equal_5;
-      transform_counter_group_choice_21 := transform_counter_group_choice_19 when transform_counter_group_value_2 else
-        transform_counter_group_choice_20;
+      if (transform_counter_group mod 2) = 1 then
+        transform_counter_group_choice_20 := (size_windows_idle mod 4) = 1;
+      else
+        transform_counter_group_choice_20 := transform_counter_group_is_equal_5;
+      end if;
+      if transform_counter_group_value_2 then
+        transform_counter_group_choice_21 := transform_counter_group_choice_19;
+      else
+        transform_counter_group_choice_21 := transform_counter_group_choice_20;
+      end if;
       transform_counter_group_value_9 := ((size_windows_idle / 4) mod 2) = 1;
       transform_counter_group_differs_5 := transform_counter_group_value_3 /= (not transform_counter_group_value_9);
-      transform_counter_group_choice_22 := 2 when transform_counter_group_choice_18 and
-        transform_counter_group_choice_21 and transform_counter_group_differs_5 and transform_counter_next_frame else
-        (transform_counter_group + 1) mod 32;
-      transform_counter_group_choice_23 := transform_counter_group_choice_22 when (not
-        transform_counter_group_choice_15) and transform_counter_group_choice_6 and transform_counter_group_choice_9
-        and transform_counter_group_differs_3 and transform_counter_group_differs_4 and in_valid else
-        transform_counter_group;
+      if transform_counter_group_choice_18 and transform_counter_group_choice_21 and transform_counter_group_differs_5
+        and transform_counter_next_frame then
+        transform_counter_group_choice_22 := 2;
+      else
+        transform_counter_group_choice_22 := (transform_counter_group + 1) mod 32;
+      end if;
+      if (not transform_counter_group_choice_15) and transform_counter_group_choice_6 and
+        transform_counter_group_choice_9 and transform_counter_group_differs_3 and transform_counter_group_differs_4
+        and in_valid then
+        transform_counter_group_choice_23 := transform_counter_group_choice_22;
+      else
+        transform_counter_group_choice_23 := transform_counter_group;
+      end if;
       transform_read_row_inside_0_difference := transform_counter_group - size_windows_groups;
       transform_read_row_inside_1_is_equal := ((transform_counter_group / 4) mod 4) = 0;
-      transform_read_row_inside_1_choice := (not ((transform_counter_group mod 2) = 1)) and
-        transform_read_row_inside_1_is_equal when transform_counter_group_value_2 else
-        transform_read_row_inside_1_is_equal;
+      if transform_counter_group_value_2 then
+        transform_read_row_inside_1_choice := (not ((transform_counter_group mod 2) = 1)) and
+          transform_read_row_inside_1_is_equal;
+      else
+        transform_read_row_inside_1_choice := transform_read_row_inside_1_is_equal;
+      end if;
       transform_read_row_inside_1_is_less := transform_read_row_inside_0_difference < 3;
       transform_read_row_inside_2_is_equal := (transform_counter_group / 4) = 0;
       transform_read_row_inside_2_is_less := transform_read_row_inside_0_difference < 2;
       transform_read_row_inside_3_is_less := transform_read_row_inside_0_difference < 1;
       transform_read_column_inside_1_is_equal := (transform_counter_column / 4) = 0;
       transform_read_column_inside_1_is_equal_2 := (transform_counter_column / 2) = 0;
-      transform_read_column_inside_1_choice := (transform_counter_column mod 4) = 0 when
-        transform_read_column_inside_1_is_equal_2 else ((transform_counter_column mod 2) = 1) or
-        transform_counter_group_value_6;
+      if transform_read_column_inside_1_is_equal_2 then
+        transform_read_column_inside_1_choice := (transform_counter_column mod 4) = 0;
+      else
+        transform_read_column_inside_1_choice := ((transform_counter_column mod 2) = 1) or
+          transform_counter_group_value_6;
+      end if;
       transform_read_column_inside_1_differs := (transform_counter_column / 2) /= 0;
-      transform_read_column_inside_3_choice := ((transform_counter_column / 2) mod 8) = 0 when
-        (transform_counter_column mod 2) = 1 else ((transform_counter_column / 4) mod 4) = 0;
-      transform_read_column_inside_3_choice_2 := (transform_counter_column / 16) = 0 when
-        transform_read_column_inside_1_is_equal_2 else ((transform_counter_column / 32) = 1) or
-        transform_counter_group_value_5;
+      if (transform_counter_column mod 2) = 1 then
+        transform_read_column_inside_3_choice := ((transform_counter_column / 2) mod 8) = 0;
+      else
+        transform_read_column_inside_3_choice := ((transform_counter_column / 4) mod 4) = 0;
+      end if;
+      if transform_read_column_inside_1_is_equal_2 then
+        transform_read_column_inside_3_choice_2 := (transform_counter_column / 16) = 0;
+      else
+        transform_read_column_inside_3_choice_2 := ((transform_counter_column / 32) = 1) or
+          transform_counter_group_value_5;
+      end if;
       transform_left_filter_feature_0_value := ((transform_left_filter_column_2_2 / 2) mod 2) = 1;
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
         ((transform_left_filter_column_2_2 mod 2) = 1));
-      transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      if (transform_left_filter_column_4_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
+      end if;
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column_2_2 mod 4) = 0;
-      transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice when
-        ((transform_left_filter_column_4_0 / 2) mod 2) = 1 else ((transform_left_filter_column_4_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
+      if ((transform_left_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      else
+        transform_left_filter_feature_0_choice_2 := ((transform_left_filter_column_4_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
       transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_2_2 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_2 else (not
-        (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choice_2 then
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
       transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_2_2 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_3 else (not
-        (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      if transform_left_filter_feature_0_choice_3 then
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
       transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_2_2 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_4 else (not
-        (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choice_4 then
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
       transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_2_2 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_5 else (not
-        (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      if transform_left_filter_feature_0_choice_5 then
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
       transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_2_2 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_6 else (not
-        (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_7 else
-        ((transform_left_filter_column_4_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9 when
-        ((transform_left_filter_column_4_1 / 2) mod 2) = 1 else ((transform_left_filter_column_4_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_10 else (not
-        (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_11 else (not
-        (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_12 else (not
-        (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_13 else (not
-        (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_14 else (not
-        (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_15 else
-        ((transform_left_filter_column_4_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17 when
-        ((transform_left_filter_column_4_2 / 2) mod 2) = 1 else ((transform_left_filter_column_4_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_18 else (not
-        (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_19 else (not
-        (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_20 else (not
-        (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_21 else (not
-        (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_22 else (not
-        (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_23 else
-        ((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25 when
-        ((transform_left_filter_column_4_3 / 2) mod 2) = 1 else ((transform_left_filter_column_4_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_26 else (not
-        (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_27 else (not
-        (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_28 else (not
-        (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_29 else (not
-        (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_30 else (not
-        (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_31 else
-        ((transform_left_filter_column_4_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33 when
-        ((transform_left_filter_column_4_4 / 2) mod 2) = 1 else ((transform_left_filter_column_4_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_34 else (not
-        (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_35 else (not
-        (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_36 else (not
-        (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_37 else (not
-        (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_38 else (not
-        (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_4_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_39 else
-        ((transform_left_filter_column_4_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41 when
-        ((transform_left_filter_column_3_0 / 2) mod 2) = 1 else ((transform_left_filter_column_3_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_42 else (not
-        (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_43 else (not
-        (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_44 else (not
-        (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_45 else (not
-        (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_46 else (not
-        (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_47 else
-        ((transform_left_filter_column_3_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49 when
-        ((transform_left_filter_column_3_1 / 2) mod 2) = 1 else ((transform_left_filter_column_3_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_50 else (not
-        (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_51 else (not
-        (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_52 else (not
-        (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_53 else (not
-        (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_54 else (not
-        (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_55 else
-        ((transform_left_filter_column_3_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57 when
-        ((transform_left_filter_column_3_2 / 2) mod 2) = 1 else ((transform_left_filter_column_3_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_58 else (not
-        (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_59 else (not
-        (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_60 else (not
-        (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_61 else (not
-        (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_62 else (not
-        (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_63 else
-        ((transform_left_filter_column_3_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65 when
-        ((transform_left_filter_column_3_3 / 2) mod 2) = 1 else ((transform_left_filter_column_3_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_66 else (not
-        (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_67 else (not
-        (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_68 else (not
-        (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_69 else (not
-        (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_70 else (not
-        (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_71 else
-        ((transform_left_filter_column_3_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73 when
-        ((transform_left_filter_column_3_4 / 2) mod 2) = 1 else ((transform_left_filter_column_3_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_74 else (not
-        (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_75 else (not
-        (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_76 else (not
-        (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_77 else (not
-        (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_78 else (not
-        (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_3_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_79 else
-        ((transform_left_filter_column_3_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81 when
-        ((transform_left_filter_column_2_4 / 2) mod 2) = 1 else ((transform_left_filter_column_2_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_82 else (not
-        (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_83 else (not
-        (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_84 else (not
-        (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_85 else (not
-        (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_86 else (not
-        (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 when
-        (transform_left_filter_column_2_4 / 128) = 1 else transform_filtering_0_column_inside_2 and (not
-        ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_89 := ((transform_left_filter_column_2_4 / 128) = 1) and
-        transform_filtering_0_column_inside_2 and (not ((transform_left_filter_column_2_2 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_87 else transform_left_filter_feature_0_choice_88;
-      transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_91 := transform_left_filter_feature_0_choice_90 when
-        ((transform_left_filter_column_2_1 / 2) mod 2) = 1 else ((transform_left_filter_column_2_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_91 else (not
-        (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_92 else (not
-        (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_93 else (not
-        (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_94 else (not
-        (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_96 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_95 else (not
-        (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_97 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_96 else
-        ((transform_left_filter_column_2_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_99 := transform_left_filter_feature_0_choice_98 when
-        ((transform_left_filter_column_2_3 / 2) mod 2) = 1 else ((transform_left_filter_column_2_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_99 else (not
-        (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_100 else (not
-        (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_101 else (not
-        (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_102 else (not
-        (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_104 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_103 else (not
-        (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_105 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_104 else
-        ((transform_left_filter_column_2_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_107 := transform_left_filter_feature_0_choice_106 when
-        ((transform_left_filter_column_2_0 / 2) mod 2) = 1 else ((transform_left_filter_column_2_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_107 else (not
-        (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_108 else (not
-        (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_109 else (not
-        (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_110 else (not
-        (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_112 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_111 else (not
-        (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_113 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_112 else
-        ((transform_left_filter_column_2_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_115 := transform_left_filter_feature_0_choice_114 when
-        ((transform_left_filter_column_1_3 / 2) mod 2) = 1 else ((transform_left_filter_column_1_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_115 else (not
-        (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_116 else (not
-        (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_117 else (not
-        (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_118 else (not
-        (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_120 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_119 else (not
-        (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_121 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_120 else
-        ((transform_left_filter_column_1_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_123 := transform_left_filter_feature_0_choice_122 when
-        ((transform_left_filter_column_1_4 / 2) mod 2) = 1 else ((transform_left_filter_column_1_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_123 else (not
-        (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_124 else (not
-        (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_125 else (not
-        (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_126 else (not
-        (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_128 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_127 else (not
-        (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_129 := ((transform_left_filter_column_1_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_128 else
-        ((transform_left_filter_column_1_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_131 := transform_left_filter_feature_0_choice_130 when
-        ((transform_left_filter_column_1_2 / 2) mod 2) = 1 else ((transform_left_filter_column_1_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_131 else (not
-        (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_132 else (not
-        (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_133 else (not
-        (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_134 else (not
-        (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_136 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_135 else (not
-        (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_137 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_136 else
-        ((transform_left_filter_column_1_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_139 := transform_left_filter_feature_0_choice_138 when
-        ((transform_left_filter_column_1_1 / 2) mod 2) = 1 else ((transform_left_filter_column_1_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_139 else (not
-        (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_140 else (not
-        (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_141 else (not
-        (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_142 else (not
-        (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_144 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_143 else (not
-        (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_145 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_144 else
-        ((transform_left_filter_column_1_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_147 := transform_left_filter_feature_0_choice_146 when
-        ((transform_left_filter_column_1_0 / 2) mod 2) = 1 else ((transform_left_filter_column_1_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_147 else (not
-        (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_148 else (not
-        (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_149 else (not
-        (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_150 else (not
-        (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_152 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_151 else (not
-        (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_153 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_152 else
-        ((transform_left_filter_column_1_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_155 := transform_left_filter_feature_0_choice_154 when
-        ((transform_left_filter_column_0_3 / 2) mod 2) = 1 else ((transform_left_filter_column_0_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_155 else (not
-        (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_156 else (not
-        (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_157 else (not
-        (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_158 else (not
-        (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_160 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_159 else (not
-        (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_161 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_160 else
-        ((transform_left_filter_column_0_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_163 := transform_left_filter_feature_0_choice_162 when
-        ((transform_left_filter_column_0_4 / 2) mod 2) = 1 else ((transform_left_filter_column_0_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_163 else (not
-        (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_164 else (not
-        (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_165 else (not
-        (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_166 else (not
-        (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_168 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_167 else (not
-        (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_169 := ((transform_left_filter_column_0_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_168 else
-        ((transform_left_filter_column_0_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_171 := transform_left_filter_feature_0_choice_170 when
-        ((transform_left_filter_column_0_2 / 2) mod 2) = 1 else ((transform_left_filter_column_0_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_171 else (not
-        (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_172 else (not
-        (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_173 else (not
-        (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_174 else (not
-        (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_176 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_175 else (not
-        (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_177 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_176 else
-        ((transform_left_filter_column_0_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_179 := transform_left_filter_feature_0_choice_178 when
-        ((transform_left_filter_column_0_1 / 2) mod 2) = 1 else ((transform_left_filter_column_0_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_179 else (not
-        (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_180 else (not
-        (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_181 else (not
-        (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_182 else (not
-        (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_184 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_183 else (not
-        (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_185 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_184 else
-        ((transform_left_filter_column_0_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_186 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1) when
-        (transform_left_filter_column_2_2 mod 2) = 1 else (transform_left_filter_column_0_0 mod 4) = 0;
-      transform_left_filter_feature_0_choice_187 := ((transform_left_filter_column_2_2 mod 2) = 1) or (not
-        (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1))
-        when transform_left_filter_feature_0_value else transform_left_filter_feature_0_choice_186;
+      if transform_left_filter_feature_0_choice_6 then
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_7 then
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_9 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9;
+      else
+        transform_left_filter_feature_0_choice_10 := ((transform_left_filter_column_4_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_10 then
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_11 then
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_12 then
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_13 then
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_14 then
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_15 then
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_17 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17;
+      else
+        transform_left_filter_feature_0_choice_18 := ((transform_left_filter_column_4_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_18 then
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_19 then
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_20 then
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_21 then
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_22 then
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_23 then
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_4_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_25 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25;
+      else
+        transform_left_filter_feature_0_choice_26 := ((transform_left_filter_column_4_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_26 then
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_27 then
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_28 then
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_29 then
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_30 then
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_31 then
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_4_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_33 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33;
+      else
+        transform_left_filter_feature_0_choice_34 := ((transform_left_filter_column_4_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_34 then
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_35 then
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_36 then
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_37 then
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_38 then
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_39 then
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_4_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_4_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_41 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41;
+      else
+        transform_left_filter_feature_0_choice_42 := ((transform_left_filter_column_3_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_42 then
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_43 then
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_44 then
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_45 then
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_46 then
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_47 then
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_3_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_49 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49;
+      else
+        transform_left_filter_feature_0_choice_50 := ((transform_left_filter_column_3_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_50 then
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_51 then
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_52 then
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_53 then
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_54 then
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_55 then
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_3_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_57 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57;
+      else
+        transform_left_filter_feature_0_choice_58 := ((transform_left_filter_column_3_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_58 then
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_59 then
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_60 then
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_61 then
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_62 then
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_63 then
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_3_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_65 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65;
+      else
+        transform_left_filter_feature_0_choice_66 := ((transform_left_filter_column_3_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_66 then
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_67 then
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_68 then
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_69 then
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_70 then
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_71 then
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_3_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_73 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73;
+      else
+        transform_left_filter_feature_0_choice_74 := ((transform_left_filter_column_3_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_74 then
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_75 then
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_76 then
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_77 then
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_78 then
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_79 then
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_3_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_3_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_81 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81;
+      else
+        transform_left_filter_feature_0_choice_82 := ((transform_left_filter_column_2_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_82 then
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_83 then
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_84 then
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_85 then
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_86 then
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if (transform_left_filter_column_2_4 / 128) = 1 then
+        transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2;
+      else
+        transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if transform_left_filter_feature_0_choice_87 then
+        transform_left_filter_feature_0_choice_89 := ((transform_left_filter_column_2_4 / 128) = 1) and
+          transform_filtering_0_column_inside_2 and (not ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_choice_88;
+      end if;
+      if (transform_left_filter_column_2_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_90 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_91 := transform_left_filter_feature_0_choice_90;
+      else
+        transform_left_filter_feature_0_choice_91 := ((transform_left_filter_column_2_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_91 then
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_92 then
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_93 then
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_94 then
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_95 then
+        transform_left_filter_feature_0_choice_96 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_96 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_96 then
+        transform_left_filter_feature_0_choice_97 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_97 := ((transform_left_filter_column_2_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_98 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_99 := transform_left_filter_feature_0_choice_98;
+      else
+        transform_left_filter_feature_0_choice_99 := ((transform_left_filter_column_2_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_99 then
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_100 then
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_101 then
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_102 then
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_103 then
+        transform_left_filter_feature_0_choice_104 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_104 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_104 then
+        transform_left_filter_feature_0_choice_105 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_105 := ((transform_left_filter_column_2_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_106 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_107 := transform_left_filter_feature_0_choice_106;
+      else
+        transform_left_filter_feature_0_choice_107 := ((transform_left_filter_column_2_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_107 then
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_108 then
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_109 then
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_110 then
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_111 then
+        transform_left_filter_feature_0_choice_112 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_112 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_112 then
+        transform_left_filter_feature_0_choice_113 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_113 := ((transform_left_filter_column_2_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_114 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_115 := transform_left_filter_feature_0_choice_114;
+      else
+        transform_left_filter_feature_0_choice_115 := ((transform_left_filter_column_1_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_115 then
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_116 then
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_117 then
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_118 then
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_119 then
+        transform_left_filter_feature_0_choice_120 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_120 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_120 then
+        transform_left_filter_feature_0_choice_121 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_121 := ((transform_left_filter_column_1_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_122 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_123 := transform_left_filter_feature_0_choice_122;
+      else
+        transform_left_filter_feature_0_choice_123 := ((transform_left_filter_column_1_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_123 then
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_124 then
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_125 then
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_126 then
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_127 then
+        transform_left_filter_feature_0_choice_128 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_128 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_128 then
+        transform_left_filter_feature_0_choice_129 := ((transform_left_filter_column_1_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_129 := ((transform_left_filter_column_1_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_130 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_131 := transform_left_filter_feature_0_choice_130;
+      else
+        transform_left_filter_feature_0_choice_131 := ((transform_left_filter_column_1_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_131 then
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_132 then
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_133 then
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_134 then
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_135 then
+        transform_left_filter_feature_0_choice_136 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_136 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_136 then
+        transform_left_filter_feature_0_choice_137 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_137 := ((transform_left_filter_column_1_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_138 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_139 := transform_left_filter_feature_0_choice_138;
+      else
+        transform_left_filter_feature_0_choice_139 := ((transform_left_filter_column_1_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_139 then
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_140 then
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_141 then
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_142 then
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_143 then
+        transform_left_filter_feature_0_choice_144 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_144 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_144 then
+        transform_left_filter_feature_0_choice_145 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_145 := ((transform_left_filter_column_1_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_146 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_147 := transform_left_filter_feature_0_choice_146;
+      else
+        transform_left_filter_feature_0_choice_147 := ((transform_left_filter_column_1_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_147 then
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_148 then
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_149 then
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_150 then
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_151 then
+        transform_left_filter_feature_0_choice_152 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_152 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_152 then
+        transform_left_filter_feature_0_choice_153 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_153 := ((transform_left_filter_column_1_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_154 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_155 := transform_left_filter_feature_0_choice_154;
+      else
+        transform_left_filter_feature_0_choice_155 := ((transform_left_filter_column_0_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_155 then
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_156 then
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_157 then
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_158 then
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_159 then
+        transform_left_filter_feature_0_choice_160 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_160 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_160 then
+        transform_left_filter_feature_0_choice_161 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_161 := ((transform_left_filter_column_0_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_162 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_163 := transform_left_filter_feature_0_choice_162;
+      else
+        transform_left_filter_feature_0_choice_163 := ((transform_left_filter_column_0_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_163 then
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_164 then
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_165 then
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_166 then
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_167 then
+        transform_left_filter_feature_0_choice_168 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_168 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_168 then
+        transform_left_filter_feature_0_choice_169 := ((transform_left_filter_column_0_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_169 := ((transform_left_filter_column_0_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_170 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_171 := transform_left_filter_feature_0_choice_170;
+      else
+        transform_left_filter_feature_0_choice_171 := ((transform_left_filter_column_0_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_171 then
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_172 then
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_173 then
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_174 then
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_175 then
+        transform_left_filter_feature_0_choice_176 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_176 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_176 then
+        transform_left_filter_feature_0_choice_177 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_177 := ((transform_left_filter_column_0_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_178 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_179 := transform_left_filter_feature_0_choice_178;
+      else
+        transform_left_filter_feature_0_choice_179 := ((transform_left_filter_column_0_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_179 then
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_180 then
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_181 then
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_182 then
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_183 then
+        transform_left_filter_feature_0_choice_184 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_184 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_184 then
+        transform_left_filter_feature_0_choice_185 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_185 := ((transform_left_filter_column_0_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_186 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1);
+      else
+        transform_left_filter_feature_0_choice_186 := (transform_left_filter_column_0_0 mod 4) = 0;
+      end if;
+      if transform_left_filter_feature_0_value then
+        transform_left_filter_feature_0_choice_187 := ((transform_left_filter_column_2_2 mod 2) = 1) or (not
+          (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1));
+      else
+        transform_left_filter_feature_0_choice_187 := transform_left_filter_feature_0_choice_186;
+      end if;
       transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_188 := (not transform_left_filter_feature_0_value_2) and
-        transform_left_filter_feature_0_value_7 when transform_left_filter_feature_0_choice_187 else (not
-        transform_left_filter_feature_0_value_2) or transform_left_filter_feature_0_value_7;
+      if transform_left_filter_feature_0_choice_187 then
+        transform_left_filter_feature_0_choice_188 := (not transform_left_filter_feature_0_value_2) and
+          transform_left_filter_feature_0_value_7;
+      else
+        transform_left_filter_feature_0_choice_188 := (not transform_left_filter_feature_0_value_2) or
+          transform_left_filter_feature_0_value_7;
+      end if;
       transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_189 := (not transform_left_filter_feature_0_value_3) or
-        transform_left_filter_feature_0_value_8 when transform_left_filter_feature_0_choice_188 else (not
-        transform_left_filter_feature_0_value_3) and transform_left_filter_feature_0_value_8;
+      if transform_left_filter_feature_0_choice_188 then
+        transform_left_filter_feature_0_choice_189 := (not transform_left_filter_feature_0_value_3) or
+          transform_left_filter_feature_0_value_8;
+      else
+        transform_left_filter_feature_0_choice_189 := (not transform_left_filter_feature_0_value_3) and
+          transform_left_filter_feature_0_value_8;
+      end if;
       transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_190 := (not transform_left_filter_feature_0_value_4) or
-        transform_left_filter_feature_0_value_9 when transform_left_filter_feature_0_choice_189 else (not
-        transform_left_filter_feature_0_value_4) and transform_left_filter_feature_0_value_9;
+      if transform_left_filter_feature_0_choice_189 then
+        transform_left_filter_feature_0_choice_190 := (not transform_left_filter_feature_0_value_4) or
+          transform_left_filter_feature_0_value_9;
+      else
+        transform_left_filter_feature_0_choice_190 := (not transform_left_filter_feature_0_value_4) and
+          transform_left_filter_feature_0_value_9;
+      end if;
       transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_191 := (not transform_left_filter_feature_0_value_5) or
-        transform_left_filter_feature_0_value_10 when transform_left_filter_feature_0_choice_190 else (not
-        transform_left_filter_feature_0_value_5) and transform_left_filter_feature_0_value_10;
+      if transform_left_filter_feature_0_choice_190 then
+        transform_left_filter_feature_0_choice_191 := (not transform_left_filter_feature_0_value_5) or
+          transform_left_filter_feature_0_value_10;
+      else
+        transform_left_filter_feature_0_choice_191 := (not transform_left_filter_feature_0_value_5) and
+          transform_left_filter_feature_0_value_10;
+      end if;
       transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_192 := (not transform_left_filter_feature_0_value_6) or
-        transform_left_filter_feature_0_value_11 when transform_left_filter_feature_0_choice_191 else (not
-        transform_left_filter_feature_0_value_6) and transform_left_filter_feature_0_value_11;
-      transform_left_filter_feature_0_choice_193 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
-        ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_192 else (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
+      if transform_left_filter_feature_0_choice_191 then
+        transform_left_filter_feature_0_choice_192 := (not transform_left_filter_feature_0_value_6) or
+          transform_left_filter_feature_0_value_11;
+      else
+        transform_left_filter_feature_0_choice_192 := (not transform_left_filter_feature_0_value_6) and
+          transform_left_filter_feature_0_value_11;
+      end if;
+      if transform_left_filter_feature_0_choice_192 then
+        transform_left_filter_feature_0_choice_193 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
+          ((transform_left_filter_column_0_0 / 128) = 1);
+      else
+        transform_left_filter_feature_0_choice_193 := (not ((transform_left_filter_column_2_2 / 128) = 1)) and
+          ((transform_left_filter_column_0_0 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_194 := (as_number(transform_left_filter_feature_0_choice_161) * 8) +
           (as_number(transform_left_filter_feature_0_choice_169) * 16) +
@@ -1934,572 +2805,1295 @@ begin
       transform_right_filter_feature_0_value := ((transform_right_filter_column_2_2 / 2) mod 2) = 1;
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
         ((transform_right_filter_column_2_2 mod 2) = 1));
-      transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      if (transform_right_filter_column_4_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
+      end if;
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column_2_2 mod 4) = 0;
-      transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice when
-        ((transform_right_filter_column_4_0 / 2) mod 2) = 1 else ((transform_right_filter_column_4_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
+      if ((transform_right_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      else
+        transform_right_filter_feature_0_choice_2 := ((transform_right_filter_column_4_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
       transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_2_2 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_2 else (not
-        (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choice_2 then
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
       transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_2_2 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_3 else (not
-        (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      if transform_right_filter_feature_0_choice_3 then
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
       transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_2_2 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_4 else (not
-        (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choice_4 then
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
       transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_2_2 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_5 else (not
-        (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      if transform_right_filter_feature_0_choice_5 then
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
       transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_2_2 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_6 else (not
-        (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_7 else
-        ((transform_right_filter_column_4_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9 when
-        ((transform_right_filter_column_4_1 / 2) mod 2) = 1 else ((transform_right_filter_column_4_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_10 else (not
-        (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_11 else (not
-        (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_12 else (not
-        (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_13 else (not
-        (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_14 else (not
-        (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_15 else
-        ((transform_right_filter_column_4_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17 when
-        ((transform_right_filter_column_4_2 / 2) mod 2) = 1 else ((transform_right_filter_column_4_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_18 else (not
-        (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_19 else (not
-        (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_20 else (not
-        (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_21 else (not
-        (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_22 else (not
-        (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_23 else
-        ((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25 when
-        ((transform_right_filter_column_4_3 / 2) mod 2) = 1 else ((transform_right_filter_column_4_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_26 else (not
-        (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_27 else (not
-        (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_28 else (not
-        (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_29 else (not
-        (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_30 else (not
-        (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_31 else
-        ((transform_right_filter_column_4_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33 when
-        ((transform_right_filter_column_4_4 / 2) mod 2) = 1 else ((transform_right_filter_column_4_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_34 else (not
-        (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_35 else (not
-        (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_36 else (not
-        (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_37 else (not
-        (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_38 else (not
-        (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_4_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_39 else
-        ((transform_right_filter_column_4_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41 when
-        ((transform_right_filter_column_3_0 / 2) mod 2) = 1 else ((transform_right_filter_column_3_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_42 else (not
-        (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_43 else (not
-        (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_44 else (not
-        (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_45 else (not
-        (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_46 else (not
-        (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_47 else
-        ((transform_right_filter_column_3_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49 when
-        ((transform_right_filter_column_3_1 / 2) mod 2) = 1 else ((transform_right_filter_column_3_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_50 else (not
-        (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_51 else (not
-        (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_52 else (not
-        (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_53 else (not
-        (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_54 else (not
-        (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_55 else
-        ((transform_right_filter_column_3_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57 when
-        ((transform_right_filter_column_3_2 / 2) mod 2) = 1 else ((transform_right_filter_column_3_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_58 else (not
-        (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_59 else (not
-        (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_60 else (not
-        (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_61 else (not
-        (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_62 else (not
-        (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_63 else
-        ((transform_right_filter_column_3_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65 when
-        ((transform_right_filter_column_3_3 / 2) mod 2) = 1 else ((transform_right_filter_column_3_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_66 else (not
-        (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_67 else (not
-        (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_68 else (not
-        (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_69 else (not
-        (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_70 else (not
-        (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_71 else
-        ((transform_right_filter_column_3_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73 when
-        ((transform_right_filter_column_3_4 / 2) mod 2) = 1 else ((transform_right_filter_column_3_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_74 else (not
-        (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_75 else (not
-        (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_76 else (not
-        (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_77 else (not
-        (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_78 else (not
-        (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_79 else
-        ((transform_right_filter_column_3_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81 when
-        ((transform_right_filter_column_2_4 / 2) mod 2) = 1 else ((transform_right_filter_column_2_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_82 else (not
-        (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_83 else (not
-        (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_84 else (not
-        (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_85 else (not
-        (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_86 else (not
-        (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 when
-        (transform_right_filter_column_2_4 / 128) = 1 else (not ((transform_right_filter_column_2_2 / 128) = 1)) and
-        transform_filtering_0_column_inside_2;
-      transform_right_filter_feature_0_choice_89 := ((transform_right_filter_column_2_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) and transform_filtering_0_column_inside_2 when
-        transform_right_filter_feature_0_choice_87 else transform_right_filter_feature_0_choice_88;
-      transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_91 := transform_right_filter_feature_0_choice_90 when
-        ((transform_right_filter_column_2_1 / 2) mod 2) = 1 else ((transform_right_filter_column_2_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_91 else (not
-        (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_92 else (not
-        (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_93 else (not
-        (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_94 else (not
-        (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_96 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_95 else (not
-        (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_97 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_96 else
-        ((transform_right_filter_column_2_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_99 := transform_right_filter_feature_0_choice_98 when
-        ((transform_right_filter_column_2_3 / 2) mod 2) = 1 else ((transform_right_filter_column_2_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_99 else (not
-        (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_100 else (not
-        (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_101 else (not
-        (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_102 else (not
-        (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_103 else (not
-        (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_105 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_104 else
-        ((transform_right_filter_column_2_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_107 := transform_right_filter_feature_0_choice_106 when
-        ((transform_right_filter_column_2_0 / 2) mod 2) = 1 else ((transform_right_filter_column_2_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_107 else (not
-        (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_108 else (not
-        (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_109 else (not
-        (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_110 else (not
-        (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_112 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_111 else (not
-        (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_113 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_112 else
-        ((transform_right_filter_column_2_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_115 := transform_right_filter_feature_0_choice_114 when
-        ((transform_right_filter_column_1_3 / 2) mod 2) = 1 else ((transform_right_filter_column_1_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_115 else (not
-        (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_116 else (not
-        (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_117 else (not
-        (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_118 else (not
-        (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_120 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_119 else (not
-        (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_121 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_120 else
-        ((transform_right_filter_column_1_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_123 := transform_right_filter_feature_0_choice_122 when
-        ((transform_right_filter_column_1_4 / 2) mod 2) = 1 else ((transform_right_filter_column_1_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_123 else (not
-        (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_124 else (not
-        (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_125 else (not
-        (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_126 else (not
-        (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_128 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_127 else (not
-        (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_129 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_128 else
-        ((transform_right_filter_column_1_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_131 := transform_right_filter_feature_0_choice_130 when
-        ((transform_right_filter_column_1_2 / 2) mod 2) = 1 else ((transform_right_filter_column_1_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_131 else (not
-        (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_132 else (not
-        (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_133 else (not
-        (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_134 else (not
-        (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_136 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_135 else (not
-        (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_137 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_136 else
-        ((transform_right_filter_column_1_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_139 := transform_right_filter_feature_0_choice_138 when
-        ((transform_right_filter_column_1_1 / 2) mod 2) = 1 else ((transform_right_filter_column_1_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_139 else (not
-        (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_140 else (not
-        (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_141 else (not
-        (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_142 else (not
-        (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_144 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_143 else (not
-        (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_145 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_144 else
-        ((transform_right_filter_column_1_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_147 := transform_right_filter_feature_0_choice_146 when
-        ((transform_right_filter_column_1_0 / 2) mod 2) = 1 else ((transform_right_filter_column_1_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_147 else (not
-        (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_148 else (not
-        (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_149 else (not
-        (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_150 else (not
-        (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_152 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_151 else (not
-        (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_153 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_152 else
-        ((transform_right_filter_column_1_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_155 := transform_right_filter_feature_0_choice_154 when
-        ((transform_right_filter_column_0_3 / 2) mod 2) = 1 else ((transform_right_filter_column_0_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_155 else (not
-        (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_156 else (not
-        (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_157 else (not
-        (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_158 else (not
-        (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_160 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_159 else (not
-        (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_161 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_160 else
-        ((transform_right_filter_column_0_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_163 := transform_right_filter_feature_0_choice_162 when
-        ((transform_right_filter_column_0_4 / 2) mod 2) = 1 else ((transform_right_filter_column_0_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_163 else (not
-        (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_164 else (not
-        (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_165 else (not
-        (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_166 else (not
-        (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_168 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_167 else (not
-        (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_169 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_168 else
-        ((transform_right_filter_column_0_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_171 := transform_right_filter_feature_0_choice_170 when
-        ((transform_right_filter_column_0_2 / 2) mod 2) = 1 else ((transform_right_filter_column_0_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_171 else (not
-        (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_172 else (not
-        (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_173 else (not
-        (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_174 else (not
-        (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_176 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_175 else (not
-        (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_177 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_176 else
-        ((transform_right_filter_column_0_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_179 := transform_right_filter_feature_0_choice_178 when
-        ((transform_right_filter_column_0_1 / 2) mod 2) = 1 else ((transform_right_filter_column_0_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_179 else (not
-        (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_180 else (not
-        (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_181 else (not
-        (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_182 else (not
-        (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_184 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_183 else (not
-        (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_185 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_184 else
-        ((transform_right_filter_column_0_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_186 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1) when
-        (transform_right_filter_column_2_2 mod 2) = 1 else (transform_right_filter_column_0_0 mod 4) = 0;
-      transform_right_filter_feature_0_choice_187 := ((transform_right_filter_column_2_2 mod 2) = 1) or (not
-        (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) = 1))
-        when transform_right_filter_feature_0_value else transform_right_filter_feature_0_choice_186;
+      if transform_right_filter_feature_0_choice_6 then
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_7 then
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_9 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9;
+      else
+        transform_right_filter_feature_0_choice_10 := ((transform_right_filter_column_4_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_10 then
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_11 then
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_12 then
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_13 then
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_14 then
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_15 then
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_17 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17;
+      else
+        transform_right_filter_feature_0_choice_18 := ((transform_right_filter_column_4_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_18 then
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_19 then
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_20 then
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_21 then
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_22 then
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_23 then
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_4_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_25 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25;
+      else
+        transform_right_filter_feature_0_choice_26 := ((transform_right_filter_column_4_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_26 then
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_27 then
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_28 then
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_29 then
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_30 then
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_31 then
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_4_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_33 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33;
+      else
+        transform_right_filter_feature_0_choice_34 := ((transform_right_filter_column_4_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_34 then
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_35 then
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_36 then
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_37 then
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_38 then
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_39 then
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_4_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_4_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_41 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41;
+      else
+        transform_right_filter_feature_0_choice_42 := ((transform_right_filter_column_3_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_42 then
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_43 then
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_44 then
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_45 then
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_46 then
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_47 then
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_3_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_49 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49;
+      else
+        transform_right_filter_feature_0_choice_50 := ((transform_right_filter_column_3_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_50 then
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_51 then
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_52 then
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_53 then
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_54 then
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_55 then
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_3_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_57 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57;
+      else
+        transform_right_filter_feature_0_choice_58 := ((transform_right_filter_column_3_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_58 then
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_59 then
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_60 then
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_61 then
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_62 then
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_63 then
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_3_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_65 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65;
+      else
+        transform_right_filter_feature_0_choice_66 := ((transform_right_filter_column_3_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_66 then
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_67 then
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_68 then
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_69 then
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_70 then
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_71 then
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_3_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_73 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73;
+      else
+        transform_right_filter_feature_0_choice_74 := ((transform_right_filter_column_3_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_74 then
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_75 then
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_76 then
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_77 then
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_78 then
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_79 then
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_3_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_81 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81;
+      else
+        transform_right_filter_feature_0_choice_82 := ((transform_right_filter_column_2_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_82 then
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_83 then
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_84 then
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_85 then
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_86 then
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if (transform_right_filter_column_2_4 / 128) = 1 then
+        transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2;
+      else
+        transform_right_filter_feature_0_choice_88 := (not ((transform_right_filter_column_2_2 / 128) = 1)) and
+          transform_filtering_0_column_inside_2;
+      end if;
+      if transform_right_filter_feature_0_choice_87 then
+        transform_right_filter_feature_0_choice_89 := ((transform_right_filter_column_2_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1)) and transform_filtering_0_column_inside_2;
+      else
+        transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_choice_88;
+      end if;
+      if (transform_right_filter_column_2_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_90 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_91 := transform_right_filter_feature_0_choice_90;
+      else
+        transform_right_filter_feature_0_choice_91 := ((transform_right_filter_column_2_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_91 then
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_92 then
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_93 then
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_94 then
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_95 then
+        transform_right_filter_feature_0_choice_96 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_96 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_96 then
+        transform_right_filter_feature_0_choice_97 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_97 := ((transform_right_filter_column_2_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_98 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_99 := transform_right_filter_feature_0_choice_98;
+      else
+        transform_right_filter_feature_0_choice_99 := ((transform_right_filter_column_2_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_99 then
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_100 then
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_101 then
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_102 then
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_103 then
+        transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_104 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_104 then
+        transform_right_filter_feature_0_choice_105 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_105 := ((transform_right_filter_column_2_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_106 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_107 := transform_right_filter_feature_0_choice_106;
+      else
+        transform_right_filter_feature_0_choice_107 := ((transform_right_filter_column_2_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_107 then
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_108 then
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_109 then
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_110 then
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_111 then
+        transform_right_filter_feature_0_choice_112 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_112 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_112 then
+        transform_right_filter_feature_0_choice_113 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_113 := ((transform_right_filter_column_2_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_114 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_115 := transform_right_filter_feature_0_choice_114;
+      else
+        transform_right_filter_feature_0_choice_115 := ((transform_right_filter_column_1_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_115 then
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_116 then
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_117 then
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_118 then
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_119 then
+        transform_right_filter_feature_0_choice_120 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_120 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_120 then
+        transform_right_filter_feature_0_choice_121 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_121 := ((transform_right_filter_column_1_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_122 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_123 := transform_right_filter_feature_0_choice_122;
+      else
+        transform_right_filter_feature_0_choice_123 := ((transform_right_filter_column_1_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_123 then
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_124 then
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_125 then
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_126 then
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_127 then
+        transform_right_filter_feature_0_choice_128 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_128 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_128 then
+        transform_right_filter_feature_0_choice_129 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_129 := ((transform_right_filter_column_1_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_130 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_131 := transform_right_filter_feature_0_choice_130;
+      else
+        transform_right_filter_feature_0_choice_131 := ((transform_right_filter_column_1_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_131 then
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_132 then
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_133 then
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_134 then
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_135 then
+        transform_right_filter_feature_0_choice_136 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_136 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_136 then
+        transform_right_filter_feature_0_choice_137 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_137 := ((transform_right_filter_column_1_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_138 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_139 := transform_right_filter_feature_0_choice_138;
+      else
+        transform_right_filter_feature_0_choice_139 := ((transform_right_filter_column_1_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_139 then
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_140 then
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_141 then
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_142 then
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_143 then
+        transform_right_filter_feature_0_choice_144 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_144 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_144 then
+        transform_right_filter_feature_0_choice_145 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_145 := ((transform_right_filter_column_1_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_146 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_147 := transform_right_filter_feature_0_choice_146;
+      else
+        transform_right_filter_feature_0_choice_147 := ((transform_right_filter_column_1_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_147 then
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_148 then
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_149 then
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_150 then
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_151 then
+        transform_right_filter_feature_0_choice_152 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_152 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_152 then
+        transform_right_filter_feature_0_choice_153 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_153 := ((transform_right_filter_column_1_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_154 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_155 := transform_right_filter_feature_0_choice_154;
+      else
+        transform_right_filter_feature_0_choice_155 := ((transform_right_filter_column_0_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_155 then
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_156 then
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_157 then
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_158 then
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_159 then
+        transform_right_filter_feature_0_choice_160 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_160 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_160 then
+        transform_right_filter_feature_0_choice_161 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_161 := ((transform_right_filter_column_0_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_162 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_163 := transform_right_filter_feature_0_choice_162;
+      else
+        transform_right_filter_feature_0_choice_163 := ((transform_right_filter_column_0_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_163 then
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_164 then
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_165 then
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_166 then
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_167 then
+        transform_right_filter_feature_0_choice_168 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_168 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_168 then
+        transform_right_filter_feature_0_choice_169 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_169 := ((transform_right_filter_column_0_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_170 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_171 := transform_right_filter_feature_0_choice_170;
+      else
+        transform_right_filter_feature_0_choice_171 := ((transform_right_filter_column_0_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_171 then
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_172 then
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_173 then
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_174 then
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_175 then
+        transform_right_filter_feature_0_choice_176 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_176 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_176 then
+        transform_right_filter_feature_0_choice_177 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_177 := ((transform_right_filter_column_0_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_178 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_179 := transform_right_filter_feature_0_choice_178;
+      else
+        transform_right_filter_feature_0_choice_179 := ((transform_right_filter_column_0_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_179 then
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_180 then
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_181 then
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_182 then
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_183 then
+        transform_right_filter_feature_0_choice_184 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_184 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_184 then
+        transform_right_filter_feature_0_choice_185 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_185 := ((transform_right_filter_column_0_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_186 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1);
+      else
+        transform_right_filter_feature_0_choice_186 := (transform_right_filter_column_0_0 mod 4) = 0;
+      end if;
+      if transform_right_filter_feature_0_value then
+        transform_right_filter_feature_0_choice_187 := ((transform_right_filter_column_2_2 mod 2) = 1) or (not
+          (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) =
+          1));
+      else
+        transform_right_filter_feature_0_choice_187 := transform_right_filter_feature_0_choice_186;
+      end if;
       transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_188 := (not transform_right_filter_feature_0_value_2) and
-        transform_right_filter_feature_0_value_7 when transform_right_filter_feature_0_choice_187 else (not
-        transform_right_filter_feature_0_value_2) or transform_right_filter_feature_0_value_7;
+      if transform_right_filter_feature_0_choice_187 then
+        transform_right_filter_feature_0_choice_188 := (not transform_right_filter_feature_0_value_2) and
+          transform_right_filter_feature_0_value_7;
+      else
+        transform_right_filter_feature_0_choice_188 := (not transform_right_filter_feature_0_value_2) or
+          transform_right_filter_feature_0_value_7;
+      end if;
       transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_189 := (not transform_right_filter_feature_0_value_3) or
-        transform_right_filter_feature_0_value_8 when transform_right_filter_feature_0_choice_188 else (not
-        transform_right_filter_feature_0_value_3) and transform_right_filter_feature_0_value_8;
+      if transform_right_filter_feature_0_choice_188 then
+        transform_right_filter_feature_0_choice_189 := (not transform_right_filter_feature_0_value_3) or
+          transform_right_filter_feature_0_value_8;
+      else
+        transform_right_filter_feature_0_choice_189 := (not transform_right_filter_feature_0_value_3) and
+          transform_right_filter_feature_0_value_8;
+      end if;
       transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_190 := (not transform_right_filter_feature_0_value_4) or
-        transform_right_filter_feature_0_value_9 when transform_right_filter_feature_0_choice_189 else (not
-        transform_right_filter_feature_0_value_4) and transform_right_filter_feature_0_value_9;
+      if transform_right_filter_feature_0_choice_189 then
+        transform_right_filter_feature_0_choice_190 := (not transform_right_filter_feature_0_value_4) or
+          transform_right_filter_feature_0_value_9;
+      else
+        transform_right_filter_feature_0_choice_190 := (not transform_right_filter_feature_0_value_4) and
+          transform_right_filter_feature_0_value_9;
+      end if;
       transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_191 := (not transform_right_filter_feature_0_value_5) or
-        transform_right_filter_feature_0_value_10 when transform_right_filter_feature_0_choice_190 else (not
-        transform_right_filter_feature_0_value_5) and transform_right_filter_feature_0_value_10;
+      if transform_right_filter_feature_0_choice_190 then
+        transform_right_filter_feature_0_choice_191 := (not transform_right_filter_feature_0_value_5) or
+          transform_right_filter_feature_0_value_10;
+      else
+        transform_right_filter_feature_0_choice_191 := (not transform_right_filter_feature_0_value_5) and
+          transform_right_filter_feature_0_value_10;
+      end if;
       transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_192 := (not transform_right_filter_feature_0_value_6) or
-        transform_right_filter_feature_0_value_11 when transform_right_filter_feature_0_choice_191 else (not
-        transform_right_filter_feature_0_value_6) and transform_right_filter_feature_0_value_11;
-      transform_right_filter_feature_0_choice_193 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
-        ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_192 else (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
+      if transform_right_filter_feature_0_choice_191 then
+        transform_right_filter_feature_0_choice_192 := (not transform_right_filter_feature_0_value_6) or
+          transform_right_filter_feature_0_value_11;
+      else
+        transform_right_filter_feature_0_choice_192 := (not transform_right_filter_feature_0_value_6) and
+          transform_right_filter_feature_0_value_11;
+      end if;
+      if transform_right_filter_feature_0_choice_192 then
+        transform_right_filter_feature_0_choice_193 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
+          ((transform_right_filter_column_0_0 / 128) = 1);
+      else
+        transform_right_filter_feature_0_choice_193 := (not ((transform_right_filter_column_2_2 / 128) = 1)) and
+          ((transform_right_filter_column_0_0 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_194 := (as_number(transform_right_filter_feature_0_choice_161) * 8) +
           (as_number(transform_right_filter_feature_0_choice_169) * 16) +
@@ -2539,8 +4133,6 @@ begin
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice_10 when in_start_of_frame and in_valid else
-        transform_counter_group_choice_23;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -2550,21 +4142,10 @@ begin
       transform_read_column <= transform_counter_column;
       transform_read_row_inside_0 <= (transform_read_row_inside_0_difference < 4) and (((transform_counter_group / 16)
         = 1) or transform_counter_group_value or transform_counter_group_value_3);
-      transform_read_row_inside_1 <= transform_read_row_inside_1_is_less and ((transform_counter_group / 16) = 1) when
-        transform_read_row_inside_1_choice else transform_read_row_inside_1_is_less;
-      transform_read_row_inside_2 <= transform_read_row_inside_2_is_less and transform_counter_group_value_2 when
-        transform_read_row_inside_2_is_equal else transform_read_row_inside_2_is_less;
-      transform_read_row_inside_3 <= transform_read_row_inside_3_is_less and (transform_counter_group_value_2 or
-        ((transform_counter_group mod 2) = 1)) when transform_read_row_inside_2_is_equal else
-        transform_read_row_inside_3_is_less;
       transform_read_row_inside_4 <= transform_read_row_inside_0_difference < 0;
       transform_read_column_inside_0 <= (((transform_counter_column / 2) mod 16) /= 0) or ((transform_counter_column /
         32) = 1);
-      transform_read_column_inside_1 <= transform_read_column_inside_1_choice when
-        transform_read_column_inside_1_is_equal else transform_read_column_inside_1_differs;
       transform_read_column_inside_2 <= true;
-      transform_read_column_inside_3 <= transform_read_column_inside_3_choice_2 when
-        transform_read_column_inside_3_choice else transform_read_column_inside_1_differs;
       transform_read_column_inside_4 <= transform_read_column_inside_1_is_equal /=
         transform_read_column_inside_1_differs;
       transform_read_start_of_frame <= (transform_counter_column = 2) and (transform_counter_group = 2);
@@ -2604,18 +4185,6 @@ begin
       transform_columns_column_inside_4 <= transform_ready_column_inside_4;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 524288) +
-        (as_number(transform_left_filter_feature_0_choice_16) * 1048576) +
-        (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
-        (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
-        (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_197
-        when transform_filtering_0_column_inside_4 else transform_left_filter_feature_0_choice_197;
-      transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
-        (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
-        (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
-        (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
-        (as_number(transform_right_filter_feature_0_choice_40) * 8388608) + transform_right_filter_feature_0_choice_197
-        when transform_filtering_0_column_inside_4 else transform_right_filter_feature_0_choice_197;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
@@ -2625,21 +4194,77 @@ begin
       transform_filtering_0_valid <= transform_columns_valid;
       transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
       transform_filtering_1_valid <= transform_filtering_0_valid;
+      if in_start_of_frame and in_valid then
+        transform_counter_group <= transform_counter_group_choice_10;
+      else
+        transform_counter_group <= transform_counter_group_choice_23;
+      end if;
+      if transform_read_row_inside_1_choice then
+        transform_read_row_inside_1 <= transform_read_row_inside_1_is_less and ((transform_counter_group / 16) = 1);
+      else
+        transform_read_row_inside_1 <= transform_read_row_inside_1_is_less;
+      end if;
+      if transform_read_row_inside_2_is_equal then
+        transform_read_row_inside_2 <= transform_read_row_inside_2_is_less and transform_counter_group_value_2;
+        transform_read_row_inside_3 <= transform_read_row_inside_3_is_less and (transform_counter_group_value_2 or
+          ((transform_counter_group mod 2) = 1));
+      else
+        transform_read_row_inside_2 <= transform_read_row_inside_2_is_less;
+        transform_read_row_inside_3 <= transform_read_row_inside_3_is_less;
+      end if;
+      if transform_read_column_inside_1_is_equal then
+        transform_read_column_inside_1 <= transform_read_column_inside_1_choice;
+      else
+        transform_read_column_inside_1 <= transform_read_column_inside_1_differs;
+      end if;
+      if transform_read_column_inside_3_choice then
+        transform_read_column_inside_3 <= transform_read_column_inside_3_choice_2;
+      else
+        transform_read_column_inside_3 <= transform_read_column_inside_1_differs;
+      end if;
+      if transform_filtering_0_column_inside_4 then
+        transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 524288) +
+          (as_number(transform_left_filter_feature_0_choice_16) * 1048576) +
+          (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
+          (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
+          (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_197;
+        transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
+          (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
+          (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
+          (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
+          (as_number(transform_right_filter_feature_0_choice_40) * 8388608) +
+          transform_right_filter_feature_0_choice_197;
+      else
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_197;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_197;
+      end if;
       transform_counter_column_all := transform_counter_group_choice_6 and transform_counter_group_choice_9 and
         transform_counter_group_differs_3 and transform_counter_group_differs_4;
-      transform_counter_next_frame_choice := (not (transform_counter_group_choice_18 and
-        transform_counter_group_choice_21 and transform_counter_group_differs_5)) and transform_counter_next_frame when
-        transform_counter_column_all else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame when transform_counter_group_choice_15 else
-        transform_counter_next_frame_choice;
+      if transform_counter_column_all then
+        transform_counter_next_frame_choice := (not (transform_counter_group_choice_18 and
+          transform_counter_group_choice_21 and transform_counter_group_differs_5)) and transform_counter_next_frame;
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
+      if transform_counter_group_choice_15 then
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
+      else
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when transform_counter_column_all or in_start_of_frame else
-          (transform_counter_column + 1) mod 64;
-        transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame) when
-          transform_counter_next_frame_choice_2 else (not ((transform_counter_group / 16) = 1)) and
-          transform_counter_group_differs and transform_counter_group_choice_3 and transform_counter_group_differs_2
-          and transform_counter_group_choice_6 and transform_counter_group_choice_9 and
-          transform_counter_group_differs_3 and transform_counter_group_differs_4 and in_start_of_frame;
+        if transform_counter_column_all or in_start_of_frame then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 64;
+        end if;
+        if transform_counter_next_frame_choice_2 then
+          transform_counter_next_frame <= transform_counter_group_all or (not in_start_of_frame);
+        else
+          transform_counter_next_frame <= (not ((transform_counter_group / 16) = 1)) and
+            transform_counter_group_differs and transform_counter_group_choice_3 and transform_counter_group_differs_2
+            and transform_counter_group_choice_6 and transform_counter_group_choice_9 and
+            transform_counter_group_differs_3 and transform_counter_group_differs_4 and in_start_of_frame;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -2649,11 +4274,6 @@ begin
         transform_write_column <= transform_ready_column;
       end if;
       if transform_columns_valid then
-        transform_left_filter_column_0_0 <= transform_left_column_0 when transform_columns_row_inside_0 else 0;
-        transform_left_filter_column_0_1 <= transform_left_column_1 when transform_columns_row_inside_1 else 0;
-        transform_left_filter_column_0_2 <= transform_left_column_2 when transform_columns_row_inside_2 else 0;
-        transform_left_filter_column_0_3 <= transform_left_column_3 when transform_columns_row_inside_3 else 0;
-        transform_left_filter_column_0_4 <= transform_left_column_4 when transform_columns_row_inside_4 else 0;
         transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
         transform_left_filter_column_1_1 <= transform_left_filter_column_0_1;
         transform_left_filter_column_1_2 <= transform_left_filter_column_0_2;
@@ -2674,11 +4294,6 @@ begin
         transform_left_filter_column_4_2 <= transform_left_filter_column_3_2;
         transform_left_filter_column_4_3 <= transform_left_filter_column_3_3;
         transform_left_filter_column_4_4 <= transform_left_filter_column_3_4;
-        transform_right_filter_column_0_0 <= transform_right_column_0 when transform_columns_row_inside_0 else 0;
-        transform_right_filter_column_0_1 <= transform_right_column_1 when transform_columns_row_inside_1 else 0;
-        transform_right_filter_column_0_2 <= transform_right_column_2 when transform_columns_row_inside_2 else 0;
-        transform_right_filter_column_0_3 <= transform_right_column_3 when transform_columns_row_inside_3 else 0;
-        transform_right_filter_column_0_4 <= transform_right_column_4 when transform_columns_row_inside_4 else 0;
         transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
         transform_right_filter_column_1_1 <= transform_right_filter_column_0_1;
         transform_right_filter_column_1_2 <= transform_right_filter_column_0_2;
@@ -2699,93 +4314,214 @@ begin
         transform_right_filter_column_4_2 <= transform_right_filter_column_3_2;
         transform_right_filter_column_4_3 <= transform_right_filter_column_3_3;
         transform_right_filter_column_4_4 <= transform_right_filter_column_3_4;
+        if transform_columns_row_inside_0 then
+          transform_left_filter_column_0_0 <= transform_left_column_0;
+          transform_right_filter_column_0_0 <= transform_right_column_0;
+        else
+          transform_left_filter_column_0_0 <= 0;
+          transform_right_filter_column_0_0 <= 0;
+        end if;
+        if transform_columns_row_inside_1 then
+          transform_left_filter_column_0_1 <= transform_left_column_1;
+          transform_right_filter_column_0_1 <= transform_right_column_1;
+        else
+          transform_left_filter_column_0_1 <= 0;
+          transform_right_filter_column_0_1 <= 0;
+        end if;
+        if transform_columns_row_inside_2 then
+          transform_left_filter_column_0_2 <= transform_left_column_2;
+          transform_right_filter_column_0_2 <= transform_right_column_2;
+        else
+          transform_left_filter_column_0_2 <= 0;
+          transform_right_filter_column_0_2 <= 0;
+        end if;
+        if transform_columns_row_inside_3 then
+          transform_left_filter_column_0_3 <= transform_left_column_3;
+          transform_right_filter_column_0_3 <= transform_right_column_3;
+        else
+          transform_left_filter_column_0_3 <= 0;
+          transform_right_filter_column_0_3 <= 0;
+        end if;
+        if transform_columns_row_inside_4 then
+          transform_left_filter_column_0_4 <= transform_left_column_4;
+          transform_right_filter_column_0_4 <= transform_right_column_4;
+        else
+          transform_left_filter_column_0_4 <= 0;
+          transform_right_filter_column_0_4 <= 0;
+        end if;
       end if;
       -- raster
       raster_place_group_value := ((raster_place_group / 8) mod 2) = 1;
       raster_place_group_differs := raster_place_group_value /= (not ((size_windows_last_group / 8) = 1));
       raster_place_group_value_2 := ((raster_place_group / 2) mod 2) = 1;
-      raster_place_group_choice := transform_counter_group_is_equal when raster_place_group_value_2 else
-        transform_counter_group_is_equal_3;
-      raster_place_group_choice_2 := transform_counter_group_is_equal_2 when raster_place_group_value_2 else
-        transform_counter_group_is_equal_4;
-      raster_place_group_choice_3 := raster_place_group_choice when (raster_place_group mod 2) = 1 else
-        raster_place_group_choice_2;
+      if raster_place_group_value_2 then
+        raster_place_group_choice := transform_counter_group_is_equal;
+      else
+        raster_place_group_choice := transform_counter_group_is_equal_3;
+      end if;
+      if raster_place_group_value_2 then
+        raster_place_group_choice_2 := transform_counter_group_is_equal_2;
+      else
+        raster_place_group_choice_2 := transform_counter_group_is_equal_4;
+      end if;
+      if (raster_place_group mod 2) = 1 then
+        raster_place_group_choice_3 := raster_place_group_choice;
+      else
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      end if;
       raster_place_group_value_3 := ((raster_place_group / 4) mod 2) = 1;
       raster_place_group_differs_2 := raster_place_group_value_3 /= (not transform_counter_group_value_4);
       raster_place_group_value_4 := ((size_windows_last_column / 16) mod 2) = 1;
-      raster_place_group_choice_4 := (raster_place_column / 16) = 3 when raster_place_group_value_4 else
-        (raster_place_column / 16) = 2;
+      if raster_place_group_value_4 then
+        raster_place_group_choice_4 := (raster_place_column / 16) = 3;
+      else
+        raster_place_group_choice_4 := (raster_place_column / 16) = 2;
+      end if;
       raster_place_group_is_equal := (raster_place_column / 16) = 0;
-      raster_place_group_choice_5 := (raster_place_column / 16) = 1 when raster_place_group_value_4 else
-        raster_place_group_is_equal;
-      raster_place_group_choice_6 := raster_place_group_choice_4 when (size_windows_last_column / 32) = 1 else
-        raster_place_group_choice_5;
+      if raster_place_group_value_4 then
+        raster_place_group_choice_5 := (raster_place_column / 16) = 1;
+      else
+        raster_place_group_choice_5 := raster_place_group_is_equal;
+      end if;
+      if (size_windows_last_column / 32) = 1 then
+        raster_place_group_choice_6 := raster_place_group_choice_4;
+      else
+        raster_place_group_choice_6 := raster_place_group_choice_5;
+      end if;
       raster_place_group_value_5 := ((size_windows_last_column / 4) mod 2) = 1;
       raster_place_group_value_6 := ((size_windows_last_column / 2) mod 2) = 1;
       raster_place_group_value_7 := (raster_place_column / 2) mod 4;
-      raster_place_group_choice_7 := raster_place_group_value_7 = 3 when raster_place_group_value_6 else
-        raster_place_group_value_7 = 2;
-      raster_place_group_choice_8 := raster_place_group_value_7 = 1 when raster_place_group_value_6 else
-        raster_place_group_value_7 = 0;
-      raster_place_group_choice_9 := raster_place_group_choice_7 when raster_place_group_value_5 else
-        raster_place_group_choice_8;
+      if raster_place_group_value_6 then
+        raster_place_group_choice_7 := raster_place_group_value_7 = 3;
+      else
+        raster_place_group_choice_7 := raster_place_group_value_7 = 2;
+      end if;
+      if raster_place_group_value_6 then
+        raster_place_group_choice_8 := raster_place_group_value_7 = 1;
+      else
+        raster_place_group_choice_8 := raster_place_group_value_7 = 0;
+      end if;
+      if raster_place_group_value_5 then
+        raster_place_group_choice_9 := raster_place_group_choice_7;
+      else
+        raster_place_group_choice_9 := raster_place_group_choice_8;
+      end if;
       raster_place_group_differs_3 := ((size_windows_last_column mod 2) = 1) /= (not ((raster_place_column mod 2) = 1));
       raster_place_group_value_8 := ((raster_place_column / 8) mod 2) = 1;
       raster_place_group_differs_4 := transform_counter_group_value_8 /= (not raster_place_group_value_8);
       raster_place_group_all := (not ((raster_place_group / 16) = 1)) and raster_place_group_differs and
         raster_place_group_choice_3 and raster_place_group_differs_2 and raster_place_group_choice_6 and
         raster_place_group_choice_9 and raster_place_group_differs_3 and raster_place_group_differs_4;
-      raster_place_group_choice_10 := size_windows_groups when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice_10 := size_windows_groups;
+      else
+        raster_place_group_choice_10 := 0;
+      end if;
       raster_place_group_value_9 := ((size_windows_idle / 2) mod 2) = 1;
-      raster_place_group_choice_11 := (not raster_place_group_value_9) or (not ((size_windows_idle mod 2) = 1)) when
-        raster_place_group_value_2 else transform_counter_group_is_equal_5;
-      raster_place_group_choice_12 := raster_place_group_value_2 or (not raster_place_group_value_9) when
-        (raster_place_group mod 2) = 1 else raster_place_group_choice_11;
-      raster_place_group_choice_13 := (not raster_place_group_value_3) and transform_counter_group_value_9 when
-        raster_place_group_choice_12 else (not raster_place_group_value_3) or transform_counter_group_value_9;
+      if raster_place_group_value_2 then
+        raster_place_group_choice_11 := (not raster_place_group_value_9) or (not ((size_windows_idle mod 2) = 1));
+      else
+        raster_place_group_choice_11 := transform_counter_group_is_equal_5;
+      end if;
+      if (raster_place_group mod 2) = 1 then
+        raster_place_group_choice_12 := raster_place_group_value_2 or (not raster_place_group_value_9);
+      else
+        raster_place_group_choice_12 := raster_place_group_choice_11;
+      end if;
+      if raster_place_group_choice_12 then
+        raster_place_group_choice_13 := (not raster_place_group_value_3) and transform_counter_group_value_9;
+      else
+        raster_place_group_choice_13 := (not raster_place_group_value_3) or transform_counter_group_value_9;
+      end if;
       raster_place_group_value_10 := ((size_windows_idle / 8) mod 2) = 1;
-      raster_place_group_choice_14 := (not raster_place_group_value) or raster_place_group_value_10 when
-        raster_place_group_choice_13 else (not raster_place_group_value) and raster_place_group_value_10;
-      raster_place_group_choice_15 := (not ((raster_place_group / 16) = 1)) or ((size_windows_idle / 16) = 1) when
-        raster_place_group_choice_14 else (not ((raster_place_group / 16) = 1)) and ((size_windows_idle / 16) = 1);
-      raster_place_group_choice_16 := (size_windows_groups / 8) = 3 when raster_place_group_value else
-        (size_windows_groups / 8) = 2;
-      raster_place_group_choice_17 := (size_windows_groups / 8) = 1 when raster_place_group_value else
-        (size_windows_groups / 8) = 0;
-      raster_place_group_choice_18 := raster_place_group_choice_16 when (raster_place_group / 16) = 1 else
-        raster_place_group_choice_17;
-      raster_place_group_choice_19 := (size_windows_groups mod 4) = 3 when raster_place_group_value_2 else
-        (size_windows_groups mod 4) = 1;
-      raster_place_group_choice_20 := (size_windows_groups mod 4) = 2 when raster_place_group_value_2 else
-        (size_windows_groups mod 4) = 0;
-      raster_place_group_choice_21 := raster_place_group_choice_19 when (raster_place_group mod 2) = 1 else
-        raster_place_group_choice_20;
+      if raster_place_group_choice_13 then
+        raster_place_group_choice_14 := (not raster_place_group_value) or raster_place_group_value_10;
+      else
+        raster_place_group_choice_14 := (not raster_place_group_value) and raster_place_group_value_10;
+      end if;
+      if raster_place_group_choice_14 then
+        raster_place_group_choice_15 := (not ((raster_place_group / 16) = 1)) or ((size_windows_idle / 16) = 1);
+      else
+        raster_place_group_choice_15 := (not ((raster_place_group / 16) = 1)) and ((size_windows_idle / 16) = 1);
+      end if;
+      if raster_place_group_value then
+        raster_place_group_choice_16 := (size_windows_groups / 8) = 3;
+      else
+        raster_place_group_choice_16 := (size_windows_groups / 8) = 2;
+      end if;
+      if raster_place_group_value then
+        raster_place_group_choice_17 := (size_windows_groups / 8) = 1;
+      else
+        raster_place_group_choice_17 := (size_windows_groups / 8) = 0;
+      end if;
+      if (raster_place_group / 16) = 1 then
+        raster_place_group_choice_18 := raster_place_group_choice_16;
+      else
+        raster_place_group_choice_18 := raster_place_group_choice_17;
+      end if;
+      if raster_place_group_value_2 then
+        raster_place_group_choice_19 := (size_windows_groups mod 4) = 3;
+      else
+        raster_place_group_choice_19 := (size_windows_groups mod 4) = 1;
+      end if;
+      if raster_place_group_value_2 then
+        raster_place_group_choice_20 := (size_windows_groups mod 4) = 2;
+      else
+        raster_place_group_choice_20 := (size_windows_groups mod 4) = 0;
+      end if;
+      if (raster_place_group mod 2) = 1 then
+        raster_place_group_choice_21 := raster_place_group_choice_19;
+      else
+        raster_place_group_choice_21 := raster_place_group_choice_20;
+      end if;
       raster_place_group_value_11 := ((size_windows_groups / 4) mod 2) = 1;
       raster_place_group_differs_5 := raster_place_group_value_3 /= (not raster_place_group_value_11);
-      raster_place_group_choice_22 := 1 when raster_place_group_choice_18 and raster_place_group_choice_21 and
-        raster_place_group_differs_5 and raster_place_next_frame else (raster_place_group + 1) mod 32;
-      raster_place_group_choice_23 := raster_place_group_choice_22 when raster_place_group_choice_6 and
-        raster_place_group_choice_9 and raster_place_group_differs_3 and raster_place_group_differs_4 and
-        raster_place_group_choice_15 and transform_filtering_1_valid else raster_place_group;
+      if raster_place_group_choice_18 and raster_place_group_choice_21 and raster_place_group_differs_5 and
+        raster_place_next_frame then
+        raster_place_group_choice_22 := 1;
+      else
+        raster_place_group_choice_22 := (raster_place_group + 1) mod 32;
+      end if;
+      if raster_place_group_choice_6 and raster_place_group_choice_9 and raster_place_group_differs_3 and
+        raster_place_group_differs_4 and raster_place_group_choice_15 and transform_filtering_1_valid then
+        raster_place_group_choice_23 := raster_place_group_choice_22;
+      else
+        raster_place_group_choice_23 := raster_place_group;
+      end if;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_1_valid;
-      raster_place_group <= raster_place_group_choice_10 when transform_filtering_1_start_of_frame and
-        transform_filtering_1_valid else raster_place_group_choice_23;
+      if transform_filtering_1_start_of_frame and transform_filtering_1_valid then
+        raster_place_group <= raster_place_group_choice_10;
+      else
+        raster_place_group <= raster_place_group_choice_23;
+      end if;
       raster_place_column_all := raster_place_group_choice_6 and raster_place_group_choice_9 and
         raster_place_group_differs_3 and raster_place_group_differs_4;
-      raster_place_next_frame_choice := (not raster_place_group_choice_15) and raster_place_next_frame when
-        raster_place_column_all else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_choice_18 and
-        raster_place_group_choice_21 and raster_place_group_differs_5 else raster_place_next_frame;
+      if raster_place_column_all then
+        raster_place_next_frame_choice := (not raster_place_group_choice_15) and raster_place_next_frame;
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_choice_18 and raster_place_group_choice_21 and raster_place_group_differs_5 then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
       if transform_filtering_1_valid then
-        raster_place_column <= 0 when raster_place_column_all or transform_filtering_1_start_of_frame else
-          (raster_place_column + 1) mod 64;
-        raster_place_next_frame <= raster_place_group_all or (not transform_filtering_1_start_of_frame) when
-          raster_place_next_frame_choice_2 else (not ((raster_place_group / 16) = 1)) and raster_place_group_differs
-          and raster_place_group_choice_3 and raster_place_group_differs_2 and raster_place_group_choice_6 and
-          raster_place_group_choice_9 and raster_place_group_differs_3 and raster_place_group_differs_4 and
-          transform_filtering_1_start_of_frame;
+        if raster_place_column_all or transform_filtering_1_start_of_frame then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 64;
+        end if;
+        if raster_place_next_frame_choice_2 then
+          raster_place_next_frame <= raster_place_group_all or (not transform_filtering_1_start_of_frame);
+        else
+          raster_place_next_frame <= (not ((raster_place_group / 16) = 1)) and raster_place_group_differs and
+            raster_place_group_choice_3 and raster_place_group_differs_2 and raster_place_group_choice_6 and
+            raster_place_group_choice_9 and raster_place_group_differs_3 and raster_place_group_differs_4 and
+            transform_filtering_1_start_of_frame;
+        end if;
       end if;
       -- delay
       delay_row_inside_0_differs := (raster_place_group / 2) /= 0;
@@ -2795,28 +4531,44 @@ begin
       delay_tag_border_column_all := (not (raster_place_group_value_8 and (delay_tag_border_column_value or
         ((raster_place_column mod 4) = 3)))) and raster_place_group_is_equal;
       delay_tag_first_cost_is_equal := raster_place_column = 11;
-      delay_tag_map_column_choice := not (((raster_place_column / 2) mod 2) = 1) when (size_windows_last_column mod 2)
-        = 1 else (raster_place_column mod 4) = 0;
-      delay_tag_map_column_choice_2 := ((size_windows_last_column mod 2) = 1) or (not (((raster_place_column / 2) mod
-        2) = 1)) or (not ((raster_place_column mod 2) = 1)) when raster_place_group_value_6 else
-        delay_tag_map_column_choice;
-      delay_tag_map_column_choice_3 := (not raster_place_group_value_5) and delay_tag_border_column_value when
-        delay_tag_map_column_choice_2 else (not raster_place_group_value_5) or delay_tag_border_column_value;
-      delay_tag_map_column_choice_4 := (not transform_counter_group_value_8) or raster_place_group_value_8 when
-        delay_tag_map_column_choice_3 else (not transform_counter_group_value_8) and raster_place_group_value_8;
+      if (size_windows_last_column mod 2) = 1 then
+        delay_tag_map_column_choice := not (((raster_place_column / 2) mod 2) = 1);
+      else
+        delay_tag_map_column_choice := (raster_place_column mod 4) = 0;
+      end if;
+      if raster_place_group_value_6 then
+        delay_tag_map_column_choice_2 := ((size_windows_last_column mod 2) = 1) or (not (((raster_place_column / 2) mod
+          2) = 1)) or (not ((raster_place_column mod 2) = 1));
+      else
+        delay_tag_map_column_choice_2 := delay_tag_map_column_choice;
+      end if;
+      if delay_tag_map_column_choice_2 then
+        delay_tag_map_column_choice_3 := (not raster_place_group_value_5) and delay_tag_border_column_value;
+      else
+        delay_tag_map_column_choice_3 := (not raster_place_group_value_5) or delay_tag_border_column_value;
+      end if;
+      if delay_tag_map_column_choice_3 then
+        delay_tag_map_column_choice_4 := (not transform_counter_group_value_8) or raster_place_group_value_8;
+      else
+        delay_tag_map_column_choice_4 := (not transform_counter_group_value_8) and raster_place_group_value_8;
+      end if;
       delay_tag_map_column_value := ((raster_place_column / 16) mod 2) = 1;
-      delay_tag_map_column_choice_5 := (not raster_place_group_value_4) or delay_tag_map_column_value when
-        delay_tag_map_column_choice_4 else (not raster_place_group_value_4) and delay_tag_map_column_value;
-      delay_tag_map_column_choice_6 := (not delay_tag_border_column_all) and ((size_windows_last_column / 32) = 1) and
-        (not ((raster_place_column / 32) = 1)) when delay_tag_map_column_choice_5 else (not
-        delay_tag_border_column_all) and (((size_windows_last_column / 32) = 1) or (not ((raster_place_column / 32) =
-        1)));
+      if delay_tag_map_column_choice_4 then
+        delay_tag_map_column_choice_5 := (not raster_place_group_value_4) or delay_tag_map_column_value;
+      else
+        delay_tag_map_column_choice_5 := (not raster_place_group_value_4) and delay_tag_map_column_value;
+      end if;
+      if delay_tag_map_column_choice_5 then
+        delay_tag_map_column_choice_6 := (not delay_tag_border_column_all) and ((size_windows_last_column / 32) = 1)
+          and (not ((raster_place_column / 32) = 1));
+      else
+        delay_tag_map_column_choice_6 := (not delay_tag_border_column_all) and (((size_windows_last_column / 32) = 1)
+          or (not ((raster_place_column / 32) = 1)));
+      end if;
       delay_ahead_0 <= raster_features_reference_0;
       delay_delayed_0 <= raster_features_search_0;
       delay_column <= raster_place_column;
       delay_row_inside_0 <= delay_row_inside_0_differs and (delay_row_inside_0_difference < 2);
-      delay_row_inside_1 <= delay_row_inside_1_is_less and ((raster_place_group mod 2) = 1) when (raster_place_group /
-        2) = 0 else delay_row_inside_1_is_less;
       delay_row_inside_2 <= delay_row_inside_0_difference < 0;
       delay_tag_valid <= raster_features_valid;
       delay_tag_border_column <= delay_tag_border_column_all;
@@ -2826,6 +4578,11 @@ begin
         (delay_row_inside_0_differs or ((raster_place_group mod 2) = 1));
       delay_tag_start_of_frame <= delay_tag_first_cost_is_equal and (raster_place_group = 1);
       delay_tag_end_of_line <= raster_place_column_all;
+      if (raster_place_group / 2) = 0 then
+        delay_row_inside_1 <= delay_row_inside_1_is_less and ((raster_place_group mod 2) = 1);
+      else
+        delay_row_inside_1 <= delay_row_inside_1_is_less;
+      end if;
       -- rows
       rows_search_rows_read_newest_0 <= delay_delayed_0;
       rows_search_rows_ready_words_0 <= to_integer(rows_search_rows_read_words_0);
@@ -2857,12 +4614,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_inside_2 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_first_cost <= rows_ready_tag_first_cost;
@@ -2870,6 +4621,27 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0;
+        rows_reference_0 <= rows_reference_rows_ready_words_0;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_1;
+        rows_reference_1 <= rows_reference_rows_ready_words_1;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_newest_0;
+        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= rows_search_rows_ready_words_1;
         rows_search_rows_write_words_1 <= rows_search_rows_ready_newest_0;
@@ -3543,16 +5315,6 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        slice0cost_single_0_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
-        slice0cost_single_0_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
-        slice0cost_single_0_4;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
@@ -3560,6 +5322,19 @@ begin
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_column_0_3 <= slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_column_0_4 <= slice0cost_pair_0_4 + slice0cost_single_0_4;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -4261,12 +6036,20 @@ begin
       slice1cost_single_0_2 <= slice1cost_pixels_cost_0_2;
       slice1cost_single_0_3 <= slice1cost_pixels_cost_0_3;
       slice1cost_single_0_4 <= slice1cost_pixels_cost_0_4;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_3 + slice1cost_single_0_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_4 + slice1cost_single_0_4;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_column_0_3 <= slice1cost_pair_0_3 + slice1cost_single_0_3;
+        slice1cost_column_0_4 <= slice1cost_pair_0_4 + slice1cost_single_0_4;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -4592,8 +6375,13 @@ begin
       slice2cost_pair_0_1 <= slice2cost_pixels_cost_1_1 + slice2cost_pixels_cost_2_1;
       slice2cost_single_0_0 <= slice2cost_pixels_cost_0_0;
       slice2cost_single_0_1 <= slice2cost_pixels_cost_0_1;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+      else
+        slice2cost_column_0_0 <= slice2cost_pair_0_0 + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= slice2cost_pair_0_1 + slice2cost_single_0_1;
+      end if;
       -- slice2window
       if slice0_tag_0_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -4610,8 +6398,11 @@ begin
       entry_order_falls_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column) or entry_order_inside;
       entry_order_falls_all := slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside);
       entry_order_complete_any := (not slice0_tag_2_valid) or (not slice0_tag_2_map_column);
-      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
-        else entry_order_held_output;
+      if entry_order_falls_all then
+        entry_order_turned_output_column_choice := entry_order_output and entry_order_complete;
+      else
+        entry_order_turned_output_column_choice := entry_order_held_output;
+      end if;
       entry_next_cost_0 <= slice0_held_2_0;
       entry_next_cost_1 <= slice0_held_2_1;
       entry_next_cost_2 <= slice0_held_2_2;
@@ -4630,9 +6421,6 @@ begin
       entry_next_tag_start_of_frame <= slice0_tag_2_start_of_frame;
       entry_next_tag_end_of_line <= slice0_tag_2_end_of_line;
       entry_order_last_value <= (size_windows_last_column + 21) mod 32;
-      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
-      entry_order_complete <= entry_order_complete or (slice0_tag_2_valid and slice0_tag_2_map_column) when
-        slice0_tag_2_end_of_line else entry_order_complete and entry_order_complete_any;
       entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_2_map_column;
       entry_order_turned_start_of_frame <= slice0_tag_2_valid and slice0_tag_2_map_column and (not entry_order_inside)
         and entry_next_top and entry_order_output and entry_order_complete;
@@ -4656,28 +6444,53 @@ begin
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
+      if entry_order_falls then
+        entry_order_falls <= entry_order_falls_any;
+      else
+        entry_order_falls <= entry_order_falls_all;
+      end if;
+      if slice0_tag_2_end_of_line then
+        entry_order_complete <= entry_order_complete or (slice0_tag_2_valid and slice0_tag_2_map_column);
+      else
+        entry_order_complete <= entry_order_complete and entry_order_complete_any;
+      end if;
       if entry_order_falls_all then
         entry_next_top <= slice0_tag_2_start_of_frame;
         entry_order_output <= slice0_tag_2_output_column;
         entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
-      entry_order_address_choice := 31 when entry_order_falls else 1;
-      entry_order_address_choice_2 := 0 when entry_order_falls else entry_order_last_value;
+      if entry_order_falls then
+        entry_order_address_choice := 31;
+      else
+        entry_order_address_choice := 1;
+      end if;
+      if entry_order_falls then
+        entry_order_address_choice_2 := 0;
+      else
+        entry_order_address_choice_2 := entry_order_last_value;
+      end if;
       if not entry_order_complete_any then
-        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32 when entry_order_falls_any
-          else entry_order_address_choice_2;
+        if entry_order_falls_any then
+          entry_order_address <= (entry_order_address_choice + entry_order_address) mod 32;
+        else
+          entry_order_address <= entry_order_address_choice_2;
+        end if;
       end if;
       if slice0_tag_2_valid then
         entry_order_inside <= slice0_tag_2_map_column;
       end if;
       entry_tag_row_start_is_equal := entry_tag_row_start = 0;
       if entry_tag_valid then
-        entry_tag_row_start <= decisions_ready_decision_2 when ((((decisions_ready_decision_2 + 255) mod 256) / 2) = 0)
-          and decisions_comes_0 and entry_tag_row_start_is_equal else 0;
         entry_tag_first_group <= to_integer(decisions_read_words_0(23 downto 22));
         entry_tag_newest_inside <= to_integer(decisions_read_words_0(21 downto 20));
         entry_tag_border_column <= to_integer(decisions_read_words_0(15 downto 14));
         entry_tag_first_cost <= (to_integer(decisions_read_words_0(7 downto 0)) / 16) mod 4;
+        if ((((decisions_ready_decision_2 + 255) mod 256) / 2) = 0) and decisions_comes_0 and
+          entry_tag_row_start_is_equal then
+          entry_tag_row_start <= decisions_ready_decision_2;
+        else
+          entry_tag_row_start <= 0;
+        end if;
       end if;
       -- forward
       forward_drop_cost_any := (not entry_tag_start_of_frame) or (not entry_tag_first_column) or (not entry_tag_valid);
@@ -4686,97 +6499,305 @@ begin
         forward_occlusion_cost <= settings_occlusion_cost;
       end if;
       forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 512) / 256) = 1;
-      forward_path_0_choice := forward_dropped_0 when forward_path_0_value else forward_stayed_0;
-      forward_path_0_choice_2 := 0 when forward_next_first else forward_path_0_choice;
+      if forward_path_0_value then
+        forward_path_0_choice := forward_dropped_0;
+      else
+        forward_path_0_choice := forward_stayed_0;
+      end if;
+      if forward_next_first then
+        forward_path_0_choice_2 := 0;
+      else
+        forward_path_0_choice_2 := forward_path_0_choice;
+      end if;
       forward_path_1_any := (not ((((forward_occluding_0 - forward_stayed_1) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_0 - forward_dropped_1) mod 512) / 256) = 1));
       forward_path_1_value := (((forward_dropped_1 - forward_stayed_1) mod 512) / 256) = 1;
-      forward_path_1_choice := forward_dropped_1 when forward_path_1_value else forward_stayed_1;
-      forward_path_1_choice_2 := forward_path_1_choice when forward_path_1_any else forward_occluding_0;
-      forward_path_1_choice_3 := 0 when forward_next_first else forward_path_1_choice_2;
+      if forward_path_1_value then
+        forward_path_1_choice := forward_dropped_1;
+      else
+        forward_path_1_choice := forward_stayed_1;
+      end if;
+      if forward_path_1_any then
+        forward_path_1_choice_2 := forward_path_1_choice;
+      else
+        forward_path_1_choice_2 := forward_occluding_0;
+      end if;
+      if forward_next_first then
+        forward_path_1_choice_3 := 0;
+      else
+        forward_path_1_choice_3 := forward_path_1_choice_2;
+      end if;
       forward_path_2_any := (not ((((forward_occluding_1 - forward_stayed_2) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_1 - forward_dropped_2) mod 512) / 256) = 1));
       forward_path_2_value := (((forward_dropped_2 - forward_stayed_2) mod 512) / 256) = 1;
-      forward_path_2_choice := forward_dropped_2 when forward_path_2_value else forward_stayed_2;
-      forward_path_2_choice_2 := forward_path_2_choice when forward_path_2_any else forward_occluding_1;
-      forward_path_2_choice_3 := 0 when forward_next_first else forward_path_2_choice_2;
+      if forward_path_2_value then
+        forward_path_2_choice := forward_dropped_2;
+      else
+        forward_path_2_choice := forward_stayed_2;
+      end if;
+      if forward_path_2_any then
+        forward_path_2_choice_2 := forward_path_2_choice;
+      else
+        forward_path_2_choice_2 := forward_occluding_1;
+      end if;
+      if forward_next_first then
+        forward_path_2_choice_3 := 0;
+      else
+        forward_path_2_choice_3 := forward_path_2_choice_2;
+      end if;
       forward_path_3_any := (not ((((forward_occluding_2 - forward_stayed_3) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_2 - forward_dropped_3) mod 512) / 256) = 1));
       forward_path_3_value := (((forward_dropped_3 - forward_stayed_3) mod 512) / 256) = 1;
-      forward_path_3_choice := forward_dropped_3 when forward_path_3_value else forward_stayed_3;
-      forward_path_3_choice_2 := forward_path_3_choice when forward_path_3_any else forward_occluding_2;
-      forward_path_3_choice_3 := 0 when forward_next_first else forward_path_3_choice_2;
+      if forward_path_3_value then
+        forward_path_3_choice := forward_dropped_3;
+      else
+        forward_path_3_choice := forward_stayed_3;
+      end if;
+      if forward_path_3_any then
+        forward_path_3_choice_2 := forward_path_3_choice;
+      else
+        forward_path_3_choice_2 := forward_occluding_2;
+      end if;
+      if forward_next_first then
+        forward_path_3_choice_3 := 0;
+      else
+        forward_path_3_choice_3 := forward_path_3_choice_2;
+      end if;
       forward_path_4_any := (not ((((forward_occluding_3 - forward_stayed_4) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_3 - forward_dropped_4) mod 512) / 256) = 1));
       forward_path_4_value := (((forward_dropped_4 - forward_stayed_4) mod 512) / 256) = 1;
-      forward_path_4_choice := forward_dropped_4 when forward_path_4_value else forward_stayed_4;
-      forward_path_4_choice_2 := forward_path_4_choice when forward_path_4_any else forward_occluding_3;
-      forward_path_4_choice_3 := 0 when forward_next_first else forward_path_4_choice_2;
+      if forward_path_4_value then
+        forward_path_4_choice := forward_dropped_4;
+      else
+        forward_path_4_choice := forward_stayed_4;
+      end if;
+      if forward_path_4_any then
+        forward_path_4_choice_2 := forward_path_4_choice;
+      else
+        forward_path_4_choice_2 := forward_occluding_3;
+      end if;
+      if forward_next_first then
+        forward_path_4_choice_3 := 0;
+      else
+        forward_path_4_choice_3 := forward_path_4_choice_2;
+      end if;
       forward_path_5_any := (not ((((forward_occluding_4 - forward_stayed_5) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_4 - forward_dropped_5) mod 512) / 256) = 1));
       forward_path_5_value := (((forward_dropped_5 - forward_stayed_5) mod 512) / 256) = 1;
-      forward_path_5_choice := forward_dropped_5 when forward_path_5_value else forward_stayed_5;
-      forward_path_5_choice_2 := forward_path_5_choice when forward_path_5_any else forward_occluding_4;
-      forward_path_5_choice_3 := 0 when forward_next_first else forward_path_5_choice_2;
+      if forward_path_5_value then
+        forward_path_5_choice := forward_dropped_5;
+      else
+        forward_path_5_choice := forward_stayed_5;
+      end if;
+      if forward_path_5_any then
+        forward_path_5_choice_2 := forward_path_5_choice;
+      else
+        forward_path_5_choice_2 := forward_occluding_4;
+      end if;
+      if forward_next_first then
+        forward_path_5_choice_3 := 0;
+      else
+        forward_path_5_choice_3 := forward_path_5_choice_2;
+      end if;
       forward_path_6_any := (not ((((forward_occluding_5 - forward_stayed_6) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_5 - forward_dropped_6) mod 512) / 256) = 1));
       forward_path_6_value := (((forward_dropped_6 - forward_stayed_6) mod 512) / 256) = 1;
-      forward_path_6_choice := forward_dropped_6 when forward_path_6_value else forward_stayed_6;
-      forward_path_6_choice_2 := forward_path_6_choice when forward_path_6_any else forward_occluding_5;
-      forward_path_6_choice_3 := 0 when forward_next_first else forward_path_6_choice_2;
+      if forward_path_6_value then
+        forward_path_6_choice := forward_dropped_6;
+      else
+        forward_path_6_choice := forward_stayed_6;
+      end if;
+      if forward_path_6_any then
+        forward_path_6_choice_2 := forward_path_6_choice;
+      else
+        forward_path_6_choice_2 := forward_occluding_5;
+      end if;
+      if forward_next_first then
+        forward_path_6_choice_3 := 0;
+      else
+        forward_path_6_choice_3 := forward_path_6_choice_2;
+      end if;
       forward_path_7_any := (not ((((forward_occluding_6 - forward_stayed_7) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_6 - forward_dropped_7) mod 512) / 256) = 1));
       forward_path_7_value := (((forward_dropped_7 - forward_stayed_7) mod 512) / 256) = 1;
-      forward_path_7_choice := forward_dropped_7 when forward_path_7_value else forward_stayed_7;
-      forward_path_7_choice_2 := forward_path_7_choice when forward_path_7_any else forward_occluding_6;
-      forward_path_7_choice_3 := 0 when forward_next_first else forward_path_7_choice_2;
+      if forward_path_7_value then
+        forward_path_7_choice := forward_dropped_7;
+      else
+        forward_path_7_choice := forward_stayed_7;
+      end if;
+      if forward_path_7_any then
+        forward_path_7_choice_2 := forward_path_7_choice;
+      else
+        forward_path_7_choice_2 := forward_occluding_6;
+      end if;
+      if forward_next_first then
+        forward_path_7_choice_3 := 0;
+      else
+        forward_path_7_choice_3 := forward_path_7_choice_2;
+      end if;
       forward_path_8_any := (not ((((forward_occluding_7 - forward_stayed_8) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_7 - forward_dropped_8) mod 512) / 256) = 1));
       forward_path_8_value := (((forward_dropped_8 - forward_stayed_8) mod 512) / 256) = 1;
-      forward_path_8_choice := forward_dropped_8 when forward_path_8_value else forward_stayed_8;
-      forward_path_8_choice_2 := forward_path_8_choice when forward_path_8_any else forward_occluding_7;
-      forward_path_8_choice_3 := 0 when forward_next_first else forward_path_8_choice_2;
+      if forward_path_8_value then
+        forward_path_8_choice := forward_dropped_8;
+      else
+        forward_path_8_choice := forward_stayed_8;
+      end if;
+      if forward_path_8_any then
+        forward_path_8_choice_2 := forward_path_8_choice;
+      else
+        forward_path_8_choice_2 := forward_occluding_7;
+      end if;
+      if forward_next_first then
+        forward_path_8_choice_3 := 0;
+      else
+        forward_path_8_choice_3 := forward_path_8_choice_2;
+      end if;
       forward_path_9_any := (not ((((forward_occluding_8 - forward_stayed_9) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_8 - forward_dropped_9) mod 512) / 256) = 1));
       forward_path_9_value := (((forward_dropped_9 - forward_stayed_9) mod 512) / 256) = 1;
-      forward_path_9_choice := forward_dropped_9 when forward_path_9_value else forward_stayed_9;
-      forward_path_9_choice_2 := forward_path_9_choice when forward_path_9_any else forward_occluding_8;
-      forward_path_9_choice_3 := 0 when forward_next_first else forward_path_9_choice_2;
+      if forward_path_9_value then
+        forward_path_9_choice := forward_dropped_9;
+      else
+        forward_path_9_choice := forward_stayed_9;
+      end if;
+      if forward_path_9_any then
+        forward_path_9_choice_2 := forward_path_9_choice;
+      else
+        forward_path_9_choice_2 := forward_occluding_8;
+      end if;
+      if forward_next_first then
+        forward_path_9_choice_3 := 0;
+      else
+        forward_path_9_choice_3 := forward_path_9_choice_2;
+      end if;
       forward_path_10_any := (not ((((forward_occluding_9 - forward_stayed_10) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_9 - forward_dropped_10) mod 512) / 256) = 1));
       forward_path_10_value := (((forward_dropped_10 - forward_stayed_10) mod 512) / 256) = 1;
-      forward_path_10_choice := forward_dropped_10 when forward_path_10_value else forward_stayed_10;
-      forward_path_10_choice_2 := forward_path_10_choice when forward_path_10_any else forward_occluding_9;
-      forward_path_10_choice_3 := 0 when forward_next_first else forward_path_10_choice_2;
+      if forward_path_10_value then
+        forward_path_10_choice := forward_dropped_10;
+      else
+        forward_path_10_choice := forward_stayed_10;
+      end if;
+      if forward_path_10_any then
+        forward_path_10_choice_2 := forward_path_10_choice;
+      else
+        forward_path_10_choice_2 := forward_occluding_9;
+      end if;
+      if forward_next_first then
+        forward_path_10_choice_3 := 0;
+      else
+        forward_path_10_choice_3 := forward_path_10_choice_2;
+      end if;
       forward_path_11_any := (not ((((forward_occluding_10 - forward_stayed_11) mod 512) / 256) = 1)) or (not
         ((((forward_occluding_10 - forward_dropped_11) mod 512) / 256) = 1));
       forward_path_11_value := (((forward_dropped_11 - forward_stayed_11) mod 512) / 256) = 1;
-      forward_path_11_choice := forward_dropped_11 when forward_path_11_value else forward_stayed_11;
-      forward_path_11_choice_2 := forward_path_11_choice when forward_path_11_any else forward_occluding_10;
-      forward_path_11_choice_3 := 0 when forward_next_first else forward_path_11_choice_2;
+      if forward_path_11_value then
+        forward_path_11_choice := forward_dropped_11;
+      else
+        forward_path_11_choice := forward_stayed_11;
+      end if;
+      if forward_path_11_any then
+        forward_path_11_choice_2 := forward_path_11_choice;
+      else
+        forward_path_11_choice_2 := forward_occluding_10;
+      end if;
+      if forward_next_first then
+        forward_path_11_choice_3 := 0;
+      else
+        forward_path_11_choice_3 := forward_path_11_choice_2;
+      end if;
       forward_dropped_0_value := (((forward_path_6 - forward_path_1) mod 512) / 256) = 1;
-      forward_dropped_0_choice := forward_path_6 when forward_dropped_0_value else forward_path_1;
+      if forward_dropped_0_value then
+        forward_dropped_0_choice := forward_path_6;
+      else
+        forward_dropped_0_choice := forward_path_1;
+      end if;
       forward_dropped_1_value := (((forward_path_7 - forward_path_2) mod 512) / 256) = 1;
-      forward_dropped_1_choice := forward_path_7 when forward_dropped_1_value else forward_path_2;
+      if forward_dropped_1_value then
+        forward_dropped_1_choice := forward_path_7;
+      else
+        forward_dropped_1_choice := forward_path_2;
+      end if;
       forward_dropped_2_value := (((forward_path_8 - forward_path_3) mod 512) / 256) = 1;
-      forward_dropped_2_choice := forward_path_8 when forward_dropped_2_value else forward_path_3;
+      if forward_dropped_2_value then
+        forward_dropped_2_choice := forward_path_8;
+      else
+        forward_dropped_2_choice := forward_path_3;
+      end if;
       forward_dropped_3_value := (((forward_path_9 - forward_path_4) mod 512) / 256) = 1;
-      forward_dropped_3_choice := forward_path_9 when forward_dropped_3_value else forward_path_4;
+      if forward_dropped_3_value then
+        forward_dropped_3_choice := forward_path_9;
+      else
+        forward_dropped_3_choice := forward_path_4;
+      end if;
       forward_dropped_4_value := (((forward_path_10 - forward_path_5) mod 512) / 256) = 1;
-      forward_dropped_4_choice := forward_path_10 when forward_dropped_4_value else forward_path_5;
+      if forward_dropped_4_value then
+        forward_dropped_4_choice := forward_path_10;
+      else
+        forward_dropped_4_choice := forward_path_5;
+      end if;
       forward_dropped_5_value := (((forward_path_11 - forward_path_6) mod 512) / 256) = 1;
-      forward_dropped_5_choice := forward_path_11 when forward_dropped_5_value else forward_path_6;
-      forward_far_6_choice := 2 when forward_far_2 else 1;
-      forward_far_6_choice_2 := forward_far_6_choice when forward_path_2_value else 0;
-      forward_decision_0_choice := 2 when forward_far_0 else 1;
-      forward_decision_1_choice := 2 when forward_far_1 else 1;
-      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value else 0;
-      forward_decision_3_choice := 2 when forward_far_3 else 1;
-      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value else 0;
-      forward_decision_4_choice := 2 when forward_far_4 else 1;
-      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value else 0;
-      forward_decision_5_choice := 2 when forward_far_5 else 1;
-      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value else 0;
+      if forward_dropped_5_value then
+        forward_dropped_5_choice := forward_path_11;
+      else
+        forward_dropped_5_choice := forward_path_6;
+      end if;
+      if forward_far_2 then
+        forward_far_6_choice := 2;
+      else
+        forward_far_6_choice := 1;
+      end if;
+      if forward_path_2_value then
+        forward_far_6_choice_2 := forward_far_6_choice;
+      else
+        forward_far_6_choice_2 := 0;
+      end if;
+      if forward_far_0 then
+        forward_decision_0_choice := 2;
+      else
+        forward_decision_0_choice := 1;
+      end if;
+      if forward_far_1 then
+        forward_decision_1_choice := 2;
+      else
+        forward_decision_1_choice := 1;
+      end if;
+      if forward_path_1_value then
+        forward_decision_1_choice_2 := forward_decision_1_choice;
+      else
+        forward_decision_1_choice_2 := 0;
+      end if;
+      if forward_far_3 then
+        forward_decision_3_choice := 2;
+      else
+        forward_decision_3_choice := 1;
+      end if;
+      if forward_path_3_value then
+        forward_decision_3_choice_2 := forward_decision_3_choice;
+      else
+        forward_decision_3_choice_2 := 0;
+      end if;
+      if forward_far_4 then
+        forward_decision_4_choice := 2;
+      else
+        forward_decision_4_choice := 1;
+      end if;
+      if forward_path_4_value then
+        forward_decision_4_choice_2 := forward_decision_4_choice;
+      else
+        forward_decision_4_choice_2 := 0;
+      end if;
+      if forward_far_5 then
+        forward_decision_5_choice := 2;
+      else
+        forward_decision_5_choice := 1;
+      end if;
+      if forward_path_5_value then
+        forward_decision_5_choice_2 := forward_decision_5_choice;
+      else
+        forward_decision_5_choice_2 := 0;
+      end if;
       if entry_tag_valid then
         forward_next_cost_0 <= entry_cost_0;
         forward_next_cost_1 <= entry_cost_1;
@@ -4827,166 +6848,386 @@ begin
         forward_stayed_9 <= (forward_path_9_choice_3 + forward_next_cost_9) mod 512;
         forward_stayed_10 <= (forward_path_10_choice_3 + forward_next_cost_10) mod 512;
         forward_stayed_11 <= (forward_path_11_choice_3 + forward_next_cost_11) mod 512;
-        forward_occluding_0 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_0_choice_2) mod
-          512;
-        forward_occluding_1 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_1_choice_3) mod
-          512;
-        forward_occluding_2 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_2_choice_3) mod
-          512;
-        forward_occluding_3 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_3_choice_3) mod
-          512;
-        forward_occluding_4 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_4_choice_3) mod
-          512;
-        forward_occluding_5 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_5_choice_3) mod
-          512;
-        forward_occluding_6 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_6_choice_3) mod
-          512;
-        forward_occluding_7 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_7_choice_3) mod
-          512;
-        forward_occluding_8 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_8_choice_3) mod
-          512;
-        forward_occluding_9 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_9_choice_3) mod
-          512;
-        forward_occluding_10 <= 128 when forward_next_first else (forward_occlusion_cost + forward_path_10_choice_3)
-          mod 512;
-        forward_dropped_0 <= 128 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod 512;
-        forward_dropped_1 <= 128 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod 512;
-        forward_dropped_2 <= 128 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod 512;
-        forward_dropped_3 <= 128 when forward_next_first else (forward_pair_cost_3 + forward_dropped_3_choice) mod 512;
-        forward_dropped_4 <= 128 when forward_next_first else (forward_pair_cost_4 + forward_dropped_4_choice) mod 512;
-        forward_dropped_5 <= 128 when forward_next_first else (forward_pair_cost_5 + forward_dropped_5_choice) mod 512;
-        forward_dropped_6 <= 128 when forward_next_first else (forward_pair_cost_6 + forward_path_7) mod 512;
-        forward_dropped_7 <= 128 when forward_next_first else (forward_pair_cost_7 + forward_path_8) mod 512;
-        forward_dropped_8 <= 128 when forward_next_first else (forward_pair_cost_8 + forward_path_9) mod 512;
-        forward_dropped_9 <= 128 when forward_next_first else (forward_pair_cost_9 + forward_path_10) mod 512;
-        forward_dropped_10 <= 128 when forward_next_first else (forward_pair_cost_10 + forward_path_11) mod 512;
-        forward_dropped_11 <= 128 when forward_next_first else (forward_pair_cost_11 + forward_path_11) mod 512;
         forward_far_0 <= forward_dropped_0_value and (not forward_next_first);
-        forward_far_6 <= forward_far_6_choice_2 when forward_path_2_any else 3;
-        forward_far_7 <= as_number(forward_path_11_value) when forward_path_11_any else 3;
-        forward_far_8 <= as_number(forward_path_7_value) when forward_path_7_any else 3;
-        forward_decision_0 <= forward_decision_0_choice when forward_path_0_value else 0;
-        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_any else 3;
-        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_any else 3;
-        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_any else 3;
-        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_any else 3;
-        forward_decision_6 <= as_number(forward_path_6_value) when forward_path_6_any else 3;
-        forward_decision_8 <= as_number(forward_path_8_value) when forward_path_8_any else 3;
-        forward_decision_9 <= as_number(forward_path_9_value) when forward_path_9_any else 3;
-        forward_decision_10 <= as_number(forward_path_10_value) when forward_path_10_any else 3;
+        if forward_next_first then
+          forward_occluding_0 <= 128;
+          forward_occluding_1 <= 128;
+          forward_occluding_2 <= 128;
+          forward_occluding_3 <= 128;
+          forward_occluding_4 <= 128;
+          forward_occluding_5 <= 128;
+          forward_occluding_6 <= 128;
+          forward_occluding_7 <= 128;
+          forward_occluding_8 <= 128;
+          forward_occluding_9 <= 128;
+          forward_occluding_10 <= 128;
+          forward_dropped_0 <= 128;
+          forward_dropped_1 <= 128;
+          forward_dropped_2 <= 128;
+          forward_dropped_3 <= 128;
+          forward_dropped_4 <= 128;
+          forward_dropped_5 <= 128;
+          forward_dropped_6 <= 128;
+          forward_dropped_7 <= 128;
+          forward_dropped_8 <= 128;
+          forward_dropped_9 <= 128;
+          forward_dropped_10 <= 128;
+          forward_dropped_11 <= 128;
+        else
+          forward_occluding_0 <= (forward_occlusion_cost + forward_path_0_choice_2) mod 512;
+          forward_occluding_1 <= (forward_occlusion_cost + forward_path_1_choice_3) mod 512;
+          forward_occluding_2 <= (forward_occlusion_cost + forward_path_2_choice_3) mod 512;
+          forward_occluding_3 <= (forward_occlusion_cost + forward_path_3_choice_3) mod 512;
+          forward_occluding_4 <= (forward_occlusion_cost + forward_path_4_choice_3) mod 512;
+          forward_occluding_5 <= (forward_occlusion_cost + forward_path_5_choice_3) mod 512;
+          forward_occluding_6 <= (forward_occlusion_cost + forward_path_6_choice_3) mod 512;
+          forward_occluding_7 <= (forward_occlusion_cost + forward_path_7_choice_3) mod 512;
+          forward_occluding_8 <= (forward_occlusion_cost + forward_path_8_choice_3) mod 512;
+          forward_occluding_9 <= (forward_occlusion_cost + forward_path_9_choice_3) mod 512;
+          forward_occluding_10 <= (forward_occlusion_cost + forward_path_10_choice_3) mod 512;
+          forward_dropped_0 <= (forward_pair_cost_0 + forward_dropped_0_choice) mod 512;
+          forward_dropped_1 <= (forward_pair_cost_1 + forward_dropped_1_choice) mod 512;
+          forward_dropped_2 <= (forward_pair_cost_2 + forward_dropped_2_choice) mod 512;
+          forward_dropped_3 <= (forward_pair_cost_3 + forward_dropped_3_choice) mod 512;
+          forward_dropped_4 <= (forward_pair_cost_4 + forward_dropped_4_choice) mod 512;
+          forward_dropped_5 <= (forward_pair_cost_5 + forward_dropped_5_choice) mod 512;
+          forward_dropped_6 <= (forward_pair_cost_6 + forward_path_7) mod 512;
+          forward_dropped_7 <= (forward_pair_cost_7 + forward_path_8) mod 512;
+          forward_dropped_8 <= (forward_pair_cost_8 + forward_path_9) mod 512;
+          forward_dropped_9 <= (forward_pair_cost_9 + forward_path_10) mod 512;
+          forward_dropped_10 <= (forward_pair_cost_10 + forward_path_11) mod 512;
+          forward_dropped_11 <= (forward_pair_cost_11 + forward_path_11) mod 512;
+        end if;
+        if forward_path_2_any then
+          forward_far_6 <= forward_far_6_choice_2;
+        else
+          forward_far_6 <= 3;
+        end if;
+        if forward_path_11_any then
+          forward_far_7 <= as_number(forward_path_11_value);
+        else
+          forward_far_7 <= 3;
+        end if;
+        if forward_path_7_any then
+          forward_far_8 <= as_number(forward_path_7_value);
+        else
+          forward_far_8 <= 3;
+        end if;
+        if forward_path_0_value then
+          forward_decision_0 <= forward_decision_0_choice;
+        else
+          forward_decision_0 <= 0;
+        end if;
+        if forward_path_1_any then
+          forward_decision_1 <= forward_decision_1_choice_2;
+        else
+          forward_decision_1 <= 3;
+        end if;
+        if forward_path_3_any then
+          forward_decision_3 <= forward_decision_3_choice_2;
+        else
+          forward_decision_3 <= 3;
+        end if;
+        if forward_path_4_any then
+          forward_decision_4 <= forward_decision_4_choice_2;
+        else
+          forward_decision_4 <= 3;
+        end if;
+        if forward_path_5_any then
+          forward_decision_5 <= forward_decision_5_choice_2;
+        else
+          forward_decision_5 <= 3;
+        end if;
+        if forward_path_6_any then
+          forward_decision_6 <= as_number(forward_path_6_value);
+        else
+          forward_decision_6 <= 3;
+        end if;
+        if forward_path_8_any then
+          forward_decision_8 <= as_number(forward_path_8_value);
+        else
+          forward_decision_8 <= 3;
+        end if;
+        if forward_path_9_any then
+          forward_decision_9 <= as_number(forward_path_9_value);
+        else
+          forward_decision_9 <= 3;
+        end if;
+        if forward_path_10_any then
+          forward_decision_10 <= as_number(forward_path_10_value);
+        else
+          forward_decision_10 <= 3;
+        end if;
       end if;
       forward_far_1_any := (not entry_tag_valid) or (not forward_next_first);
-      forward_far_1_choice := forward_far_1_any when forward_dropped_1_value else not entry_tag_valid;
-      forward_far_2_choice := forward_far_1_any when forward_dropped_2_value else not entry_tag_valid;
-      forward_far_3_choice := forward_far_1_any when forward_dropped_3_value else not entry_tag_valid;
-      forward_far_4_choice := forward_far_1_any when forward_dropped_4_value else not entry_tag_valid;
-      forward_far_5_choice := forward_far_1_any when forward_dropped_5_value else not entry_tag_valid;
-      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and entry_tag_valid and
-        (not forward_next_first);
+      if forward_dropped_1_value then
+        forward_far_1_choice := forward_far_1_any;
+      else
+        forward_far_1_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_2_value then
+        forward_far_2_choice := forward_far_1_any;
+      else
+        forward_far_2_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_3_value then
+        forward_far_3_choice := forward_far_1_any;
+      else
+        forward_far_3_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_4_value then
+        forward_far_4_choice := forward_far_1_any;
+      else
+        forward_far_4_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_5_value then
+        forward_far_5_choice := forward_far_1_any;
+      else
+        forward_far_5_choice := not entry_tag_valid;
+      end if;
+      if forward_far_1 then
+        forward_far_1 <= forward_far_1_choice;
+      else
+        forward_far_1 <= forward_dropped_1_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_2 then
+        forward_far_2 <= forward_far_2_choice;
+      else
+        forward_far_2 <= forward_dropped_2_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_3 then
+        forward_far_3 <= forward_far_3_choice;
+      else
+        forward_far_3 <= forward_dropped_3_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_4 then
+        forward_far_4 <= forward_far_4_choice;
+      else
+        forward_far_4 <= forward_dropped_4_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_5 then
+        forward_far_5 <= forward_far_5_choice;
+      else
+        forward_far_5 <= forward_dropped_5_value and entry_tag_valid and (not forward_next_first);
+      end if;
       -- decisions
       decisions_ready_decision_2_is_equal := entry_tag_row_start = 1;
       decisions_ready_decision_2_sum := traceback_state + 1;
       decisions_ready_decision_2_value := (((decisions_ready_decision_2_sum mod 256) / 2) mod 2) = 1;
-      decisions_ready_decision_2_choice := entry_tag_first_group when (decisions_ready_decision_2_sum mod 2) = 1 else
-        entry_tag_newest_inside;
-      decisions_ready_decision_2_choice_2 := decisions_ready_decision_9 when (decisions_ready_decision_2_sum mod 2) = 1
-        else decisions_ready_decision_8;
-      decisions_ready_decision_2_choice_3 := decisions_ready_decision_2_choice when decisions_ready_decision_2_value
-        else decisions_ready_decision_2_choice_2;
-      decisions_ready_decision_2_choice_4 := entry_tag_border_column when (decisions_ready_decision_2_sum mod 2) = 1
-        else decisions_ready_decision_6;
-      decisions_ready_decision_2_choice_5 := decisions_ready_decision_5 when (decisions_ready_decision_2_sum mod 2) = 1
-        else decisions_ready_decision_4;
-      decisions_ready_decision_2_choice_6 := decisions_ready_decision_2_choice_4 when decisions_ready_decision_2_value
-        else decisions_ready_decision_2_choice_5;
-      decisions_ready_decision_2_choice_7 := decisions_ready_decision_3 when (decisions_ready_decision_2_sum mod 2) = 1
-        else entry_tag_first_cost;
-      decisions_ready_decision_2_choice_8 := decisions_ready_decision_1 when (decisions_ready_decision_2_sum mod 2) = 1
-        else decisions_ready_decision_0;
-      decisions_ready_decision_2_choice_9 := decisions_ready_decision_2_choice_7 when decisions_ready_decision_2_value
-        else decisions_ready_decision_2_choice_8;
-      decisions_ready_decision_2_choice_10 := decisions_ready_decision_2_choice_6 when
-        (((decisions_ready_decision_2_sum mod 256) / 4) mod 2) = 1 else decisions_ready_decision_2_choice_9;
-      decisions_ready_decision_2_choice_11 := decisions_ready_decision_2_choice_3 when
-        (((decisions_ready_decision_2_sum mod 256) / 8) mod 2) = 1 else decisions_ready_decision_2_choice_10;
+      if (decisions_ready_decision_2_sum mod 2) = 1 then
+        decisions_ready_decision_2_choice := entry_tag_first_group;
+      else
+        decisions_ready_decision_2_choice := entry_tag_newest_inside;
+      end if;
+      if (decisions_ready_decision_2_sum mod 2) = 1 then
+        decisions_ready_decision_2_choice_2 := decisions_ready_decision_9;
+      else
+        decisions_ready_decision_2_choice_2 := decisions_ready_decision_8;
+      end if;
+      if decisions_ready_decision_2_value then
+        decisions_ready_decision_2_choice_3 := decisions_ready_decision_2_choice;
+      else
+        decisions_ready_decision_2_choice_3 := decisions_ready_decision_2_choice_2;
+      end if;
+      if (decisions_ready_decision_2_sum mod 2) = 1 then
+        decisions_ready_decision_2_choice_4 := entry_tag_border_column;
+      else
+        decisions_ready_decision_2_choice_4 := decisions_ready_decision_6;
+      end if;
+      if (decisions_ready_decision_2_sum mod 2) = 1 then
+        decisions_ready_decision_2_choice_5 := decisions_ready_decision_5;
+      else
+        decisions_ready_decision_2_choice_5 := decisions_ready_decision_4;
+      end if;
+      if decisions_ready_decision_2_value then
+        decisions_ready_decision_2_choice_6 := decisions_ready_decision_2_choice_4;
+      else
+        decisions_ready_decision_2_choice_6 := decisions_ready_decision_2_choice_5;
+      end if;
+      if (decisions_ready_decision_2_sum mod 2) = 1 then
+        decisions_ready_decision_2_choice_7 := decisions_ready_decision_3;
+      else
+        decisions_ready_decision_2_choice_7 := entry_tag_first_cost;
+      end if;
+      if (decisions_ready_decision_2_sum mod 2) = 1 then
+        decisions_ready_decision_2_choice_8 := decisions_ready_decision_1;
+      else
+        decisions_ready_decision_2_choice_8 := decisions_ready_decision_0;
+      end if;
+      if decisions_ready_decision_2_value then
+        decisions_ready_decision_2_choice_9 := decisions_ready_decision_2_choice_7;
+      else
+        decisions_ready_decision_2_choice_9 := decisions_ready_decision_2_choice_8;
+      end if;
+      if (((decisions_ready_decision_2_sum mod 256) / 4) mod 2) = 1 then
+        decisions_ready_decision_2_choice_10 := decisions_ready_decision_2_choice_6;
+      else
+        decisions_ready_decision_2_choice_10 := decisions_ready_decision_2_choice_9;
+      end if;
+      if (((decisions_ready_decision_2_sum mod 256) / 8) mod 2) = 1 then
+        decisions_ready_decision_2_choice_11 := decisions_ready_decision_2_choice_3;
+      else
+        decisions_ready_decision_2_choice_11 := decisions_ready_decision_2_choice_10;
+      end if;
       decisions_ready_decision_2_is_equal_2 := entry_tag_row_start = 2;
       decisions_ready_decision_2_sum_2 := (traceback_state / 2) + 3;
-      decisions_ready_decision_2_choice_12 := entry_tag_first_group when (traceback_state mod 2) = 1 else
-        entry_tag_newest_inside;
-      decisions_ready_decision_2_choice_13 := decisions_ready_decision_9 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_8;
-      decisions_ready_decision_2_choice_14 := decisions_ready_decision_2_choice_12 when
-        (decisions_ready_decision_2_sum_2 mod 2) = 1 else decisions_ready_decision_2_choice_13;
-      decisions_ready_decision_2_choice_15 := entry_tag_border_column when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_6;
-      decisions_ready_decision_2_choice_16 := decisions_ready_decision_5 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_4;
-      decisions_ready_decision_2_choice_17 := decisions_ready_decision_2_choice_15 when
-        (decisions_ready_decision_2_sum_2 mod 2) = 1 else decisions_ready_decision_2_choice_16;
-      decisions_ready_decision_2_choice_18 := decisions_ready_decision_3 when (traceback_state mod 2) = 1 else
-        entry_tag_first_cost;
-      decisions_ready_decision_2_choice_19 := decisions_ready_decision_1 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_0;
-      decisions_ready_decision_2_choice_20 := decisions_ready_decision_2_choice_18 when
-        (decisions_ready_decision_2_sum_2 mod 2) = 1 else decisions_ready_decision_2_choice_19;
-      decisions_ready_decision_2_choice_21 := decisions_ready_decision_2_choice_17 when
-        (((decisions_ready_decision_2_sum_2 mod 128) / 2) mod 2) = 1 else decisions_ready_decision_2_choice_20;
-      decisions_ready_decision_2_choice_22 := decisions_ready_decision_2_choice_14 when
-        (((decisions_ready_decision_2_sum_2 mod 128) / 4) mod 2) = 1 else decisions_ready_decision_2_choice_21;
+      if (traceback_state mod 2) = 1 then
+        decisions_ready_decision_2_choice_12 := entry_tag_first_group;
+      else
+        decisions_ready_decision_2_choice_12 := entry_tag_newest_inside;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        decisions_ready_decision_2_choice_13 := decisions_ready_decision_9;
+      else
+        decisions_ready_decision_2_choice_13 := decisions_ready_decision_8;
+      end if;
+      if (decisions_ready_decision_2_sum_2 mod 2) = 1 then
+        decisions_ready_decision_2_choice_14 := decisions_ready_decision_2_choice_12;
+      else
+        decisions_ready_decision_2_choice_14 := decisions_ready_decision_2_choice_13;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        decisions_ready_decision_2_choice_15 := entry_tag_border_column;
+      else
+        decisions_ready_decision_2_choice_15 := decisions_ready_decision_6;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        decisions_ready_decision_2_choice_16 := decisions_ready_decision_5;
+      else
+        decisions_ready_decision_2_choice_16 := decisions_ready_decision_4;
+      end if;
+      if (decisions_ready_decision_2_sum_2 mod 2) = 1 then
+        decisions_ready_decision_2_choice_17 := decisions_ready_decision_2_choice_15;
+      else
+        decisions_ready_decision_2_choice_17 := decisions_ready_decision_2_choice_16;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        decisions_ready_decision_2_choice_18 := decisions_ready_decision_3;
+      else
+        decisions_ready_decision_2_choice_18 := entry_tag_first_cost;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        decisions_ready_decision_2_choice_19 := decisions_ready_decision_1;
+      else
+        decisions_ready_decision_2_choice_19 := decisions_ready_decision_0;
+      end if;
+      if (decisions_ready_decision_2_sum_2 mod 2) = 1 then
+        decisions_ready_decision_2_choice_20 := decisions_ready_decision_2_choice_18;
+      else
+        decisions_ready_decision_2_choice_20 := decisions_ready_decision_2_choice_19;
+      end if;
+      if (((decisions_ready_decision_2_sum_2 mod 128) / 2) mod 2) = 1 then
+        decisions_ready_decision_2_choice_21 := decisions_ready_decision_2_choice_17;
+      else
+        decisions_ready_decision_2_choice_21 := decisions_ready_decision_2_choice_20;
+      end if;
+      if (((decisions_ready_decision_2_sum_2 mod 128) / 4) mod 2) = 1 then
+        decisions_ready_decision_2_choice_22 := decisions_ready_decision_2_choice_14;
+      else
+        decisions_ready_decision_2_choice_22 := decisions_ready_decision_2_choice_21;
+      end if;
       decisions_ready_decision_2_all := (decisions_ready_decision_2 = 3) and entry_tag_row_start_is_equal;
       decisions_ready_decision_2_sum_3 := traceback_state + 255;
       decisions_ready_decision_2_value_2 := (((decisions_ready_decision_2_sum_3 mod 256) / 2) mod 2) = 1;
-      decisions_ready_decision_2_choice_23 := entry_tag_first_group when (decisions_ready_decision_2_sum_3 mod 2) = 1
-        else entry_tag_newest_inside;
-      decisions_ready_decision_2_choice_24 := decisions_ready_decision_9 when (decisions_ready_decision_2_sum_3 mod 2)
-        = 1 else decisions_ready_decision_8;
-      decisions_ready_decision_2_choice_25 := decisions_ready_decision_2_choice_23 when
-        decisions_ready_decision_2_value_2 else decisions_ready_decision_2_choice_24;
-      decisions_ready_decision_2_choice_26 := entry_tag_border_column when (decisions_ready_decision_2_sum_3 mod 2) = 1
-        else decisions_ready_decision_6;
-      decisions_ready_decision_2_choice_27 := decisions_ready_decision_5 when (decisions_ready_decision_2_sum_3 mod 2)
-        = 1 else decisions_ready_decision_4;
-      decisions_ready_decision_2_choice_28 := decisions_ready_decision_2_choice_26 when
-        decisions_ready_decision_2_value_2 else decisions_ready_decision_2_choice_27;
-      decisions_ready_decision_2_choice_29 := decisions_ready_decision_3 when (decisions_ready_decision_2_sum_3 mod 2)
-        = 1 else entry_tag_first_cost;
-      decisions_ready_decision_2_choice_30 := decisions_ready_decision_1 when (decisions_ready_decision_2_sum_3 mod 2)
-        = 1 else decisions_ready_decision_0;
-      decisions_ready_decision_2_choice_31 := decisions_ready_decision_2_choice_29 when
-        decisions_ready_decision_2_value_2 else decisions_ready_decision_2_choice_30;
-      decisions_ready_decision_2_choice_32 := decisions_ready_decision_2_choice_28 when
-        (((decisions_ready_decision_2_sum_3 mod 256) / 4) mod 2) = 1 else decisions_ready_decision_2_choice_31;
-      decisions_ready_decision_2_choice_33 := decisions_ready_decision_2_choice_25 when
-        (((decisions_ready_decision_2_sum_3 mod 256) / 8) mod 2) = 1 else decisions_ready_decision_2_choice_32;
+      if (decisions_ready_decision_2_sum_3 mod 2) = 1 then
+        decisions_ready_decision_2_choice_23 := entry_tag_first_group;
+      else
+        decisions_ready_decision_2_choice_23 := entry_tag_newest_inside;
+      end if;
+      if (decisions_ready_decision_2_sum_3 mod 2) = 1 then
+        decisions_ready_decision_2_choice_24 := decisions_ready_decision_9;
+      else
+        decisions_ready_decision_2_choice_24 := decisions_ready_decision_8;
+      end if;
+      if decisions_ready_decision_2_value_2 then
+        decisions_ready_decision_2_choice_25 := decisions_ready_decision_2_choice_23;
+      else
+        decisions_ready_decision_2_choice_25 := decisions_ready_decision_2_choice_24;
+      end if;
+      if (decisions_ready_decision_2_sum_3 mod 2) = 1 then
+        decisions_ready_decision_2_choice_26 := entry_tag_border_column;
+      else
+        decisions_ready_decision_2_choice_26 := decisions_ready_decision_6;
+      end if;
+      if (decisions_ready_decision_2_sum_3 mod 2) = 1 then
+        decisions_ready_decision_2_choice_27 := decisions_ready_decision_5;
+      else
+        decisions_ready_decision_2_choice_27 := decisions_ready_decision_4;
+      end if;
+      if decisions_ready_decision_2_value_2 then
+        decisions_ready_decision_2_choice_28 := decisions_ready_decision_2_choice_26;
+      else
+        decisions_ready_decision_2_choice_28 := decisions_ready_decision_2_choice_27;
+      end if;
+      if (decisions_ready_decision_2_sum_3 mod 2) = 1 then
+        decisions_ready_decision_2_choice_29 := decisions_ready_decision_3;
+      else
+        decisions_ready_decision_2_choice_29 := entry_tag_first_cost;
+      end if;
+      if (decisions_ready_decision_2_sum_3 mod 2) = 1 then
+        decisions_ready_decision_2_choice_30 := decisions_ready_decision_1;
+      else
+        decisions_ready_decision_2_choice_30 := decisions_ready_decision_0;
+      end if;
+      if decisions_ready_decision_2_value_2 then
+        decisions_ready_decision_2_choice_31 := decisions_ready_decision_2_choice_29;
+      else
+        decisions_ready_decision_2_choice_31 := decisions_ready_decision_2_choice_30;
+      end if;
+      if (((decisions_ready_decision_2_sum_3 mod 256) / 4) mod 2) = 1 then
+        decisions_ready_decision_2_choice_32 := decisions_ready_decision_2_choice_28;
+      else
+        decisions_ready_decision_2_choice_32 := decisions_ready_decision_2_choice_31;
+      end if;
+      if (((decisions_ready_decision_2_sum_3 mod 256) / 8) mod 2) = 1 then
+        decisions_ready_decision_2_choice_33 := decisions_ready_decision_2_choice_25;
+      else
+        decisions_ready_decision_2_choice_33 := decisions_ready_decision_2_choice_32;
+      end if;
       decisions_ready_decision_2_value_3 := ((traceback_state / 2) mod 2) = 1;
-      decisions_ready_decision_2_choice_34 := decisions_ready_decision_2_choice_12 when
-        decisions_ready_decision_2_value_3 else decisions_ready_decision_2_choice_13;
-      decisions_ready_decision_2_choice_35 := decisions_ready_decision_2_choice_15 when
-        decisions_ready_decision_2_value_3 else decisions_ready_decision_2_choice_16;
-      decisions_ready_decision_2_choice_36 := decisions_ready_decision_2_choice_18 when
-        decisions_ready_decision_2_value_3 else decisions_ready_decision_2_choice_19;
-      decisions_ready_decision_2_choice_37 := decisions_ready_decision_2_choice_35 when ((traceback_state / 4) mod 2) =
-        1 else decisions_ready_decision_2_choice_36;
-      decisions_ready_decision_2_choice_38 := decisions_ready_decision_2_choice_34 when ((traceback_state / 8) mod 2) =
-        1 else decisions_ready_decision_2_choice_37;
-      decisions_ready_decision_2_choice_39 := decisions_ready_decision_2_choice_33 when decisions_ready_decision_2_all
-        else decisions_ready_decision_2_choice_38;
-      decisions_ready_decision_2_choice_40 := decisions_ready_decision_2_choice_22 when
-        decisions_ready_decision_2_is_equal_2 else decisions_ready_decision_2_choice_39;
-      decisions_ready_decision_2_choice_41 := decisions_ready_decision_2_choice_11 when
-        decisions_ready_decision_2_is_equal else decisions_ready_decision_2_choice_40;
+      if decisions_ready_decision_2_value_3 then
+        decisions_ready_decision_2_choice_34 := decisions_ready_decision_2_choice_12;
+      else
+        decisions_ready_decision_2_choice_34 := decisions_ready_decision_2_choice_13;
+      end if;
+      if decisions_ready_decision_2_value_3 then
+        decisions_ready_decision_2_choice_35 := decisions_ready_decision_2_choice_15;
+      else
+        decisions_ready_decision_2_choice_35 := decisions_ready_decision_2_choice_16;
+      end if;
+      if decisions_ready_decision_2_value_3 then
+        decisions_ready_decision_2_choice_36 := decisions_ready_decision_2_choice_18;
+      else
+        decisions_ready_decision_2_choice_36 := decisions_ready_decision_2_choice_19;
+      end if;
+      if ((traceback_state / 4) mod 2) = 1 then
+        decisions_ready_decision_2_choice_37 := decisions_ready_decision_2_choice_35;
+      else
+        decisions_ready_decision_2_choice_37 := decisions_ready_decision_2_choice_36;
+      end if;
+      if ((traceback_state / 8) mod 2) = 1 then
+        decisions_ready_decision_2_choice_38 := decisions_ready_decision_2_choice_34;
+      else
+        decisions_ready_decision_2_choice_38 := decisions_ready_decision_2_choice_37;
+      end if;
+      if decisions_ready_decision_2_all then
+        decisions_ready_decision_2_choice_39 := decisions_ready_decision_2_choice_33;
+      else
+        decisions_ready_decision_2_choice_39 := decisions_ready_decision_2_choice_38;
+      end if;
+      if decisions_ready_decision_2_is_equal_2 then
+        decisions_ready_decision_2_choice_40 := decisions_ready_decision_2_choice_22;
+      else
+        decisions_ready_decision_2_choice_40 := decisions_ready_decision_2_choice_39;
+      end if;
+      if decisions_ready_decision_2_is_equal then
+        decisions_ready_decision_2_choice_41 := decisions_ready_decision_2_choice_11;
+      else
+        decisions_ready_decision_2_choice_41 := decisions_ready_decision_2_choice_40;
+      end if;
       if entry_tag_valid then
         decisions_ready_decision_0 <= to_integer(decisions_read_words_0(1 downto 0));
         decisions_ready_decision_1 <= (to_integer(decisions_read_words_0(7 downto 0)) / 4) mod 4;
-        decisions_ready_decision_2 <= decisions_ready_decision_2_choice_41 when decisions_comes_0 else 0;
         decisions_ready_decision_3 <= to_integer(decisions_read_words_0(7 downto 0)) / 64;
         decisions_ready_decision_4 <= to_integer(decisions_read_words_0(9 downto 8));
         decisions_ready_decision_5 <= to_integer(decisions_read_words_0(11 downto 10));
@@ -5000,6 +7241,11 @@ begin
         decisions_place_0 <= entry_place;
         decisions_place_1 <= decisions_place_0;
         decisions_place_2 <= decisions_place_1;
+        if decisions_comes_0 then
+          decisions_ready_decision_2 <= decisions_ready_decision_2_choice_41;
+        else
+          decisions_ready_decision_2 <= 0;
+        end if;
       end if;
       decisions_write_words_0_all := decisions_comes_2 and entry_tag_valid;
       if decisions_write_words_0_all then
@@ -5045,57 +7291,101 @@ begin
       lastwinner1_best_cost_0_3_is_less := (last_path_0_7 - last_path_0_6) < 0;
       lastwinner1_best_cost_0_4_is_less := (last_path_0_9 - last_path_0_8) < 0;
       lastwinner1_best_cost_0_5_is_less := (last_path_0_11 - last_path_0_10) < 0;
-      lastwinner1_best_cost_0_0 <= last_path_0_1 when lastwinner1_best_cost_0_0_is_less else last_path_0_0;
-      lastwinner1_best_cost_0_1 <= last_path_0_3 when lastwinner1_best_cost_0_1_is_less else last_path_0_2;
-      lastwinner1_best_cost_0_2 <= last_path_0_5 when lastwinner1_best_cost_0_2_is_less else last_path_0_4;
-      lastwinner1_best_cost_0_3 <= last_path_0_7 when lastwinner1_best_cost_0_3_is_less else last_path_0_6;
-      lastwinner1_best_cost_0_4 <= last_path_0_9 when lastwinner1_best_cost_0_4_is_less else last_path_0_8;
-      lastwinner1_best_cost_0_5 <= last_path_0_11 when lastwinner1_best_cost_0_5_is_less else last_path_0_10;
       lastwinner1_best_index_0_0 <= lastwinner1_best_cost_0_0_is_less;
-      lastwinner1_best_index_0_1 <= 3 when lastwinner1_best_cost_0_1_is_less else 2;
-      lastwinner1_best_index_0_2 <= 5 when lastwinner1_best_cost_0_2_is_less else 4;
-      lastwinner1_best_index_0_3 <= 7 when lastwinner1_best_cost_0_3_is_less else 6;
-      lastwinner1_best_index_0_4 <= 9 when lastwinner1_best_cost_0_4_is_less else 8;
-      lastwinner1_best_index_0_5 <= 11 when lastwinner1_best_cost_0_5_is_less else 10;
       lastwinner1_tag_valid <= last_tag_valid;
       lastwinner1_tag_map_column <= last_tag_map_column;
       lastwinner1_tag_end_of_line <= last_tag_end_of_line;
+      if lastwinner1_best_cost_0_0_is_less then
+        lastwinner1_best_cost_0_0 <= last_path_0_1;
+      else
+        lastwinner1_best_cost_0_0 <= last_path_0_0;
+      end if;
+      if lastwinner1_best_cost_0_1_is_less then
+        lastwinner1_best_cost_0_1 <= last_path_0_3;
+        lastwinner1_best_index_0_1 <= 3;
+      else
+        lastwinner1_best_cost_0_1 <= last_path_0_2;
+        lastwinner1_best_index_0_1 <= 2;
+      end if;
+      if lastwinner1_best_cost_0_2_is_less then
+        lastwinner1_best_cost_0_2 <= last_path_0_5;
+        lastwinner1_best_index_0_2 <= 5;
+      else
+        lastwinner1_best_cost_0_2 <= last_path_0_4;
+        lastwinner1_best_index_0_2 <= 4;
+      end if;
+      if lastwinner1_best_cost_0_3_is_less then
+        lastwinner1_best_cost_0_3 <= last_path_0_7;
+        lastwinner1_best_index_0_3 <= 7;
+      else
+        lastwinner1_best_cost_0_3 <= last_path_0_6;
+        lastwinner1_best_index_0_3 <= 6;
+      end if;
+      if lastwinner1_best_cost_0_4_is_less then
+        lastwinner1_best_cost_0_4 <= last_path_0_9;
+        lastwinner1_best_index_0_4 <= 9;
+      else
+        lastwinner1_best_cost_0_4 <= last_path_0_8;
+        lastwinner1_best_index_0_4 <= 8;
+      end if;
+      if lastwinner1_best_cost_0_5_is_less then
+        lastwinner1_best_cost_0_5 <= last_path_0_11;
+        lastwinner1_best_index_0_5 <= 11;
+      else
+        lastwinner1_best_cost_0_5 <= last_path_0_10;
+        lastwinner1_best_index_0_5 <= 10;
+      end if;
       -- lastwinner2
       lastwinner2_best_cost_0_0_is_less := (lastwinner1_best_cost_0_1 - lastwinner1_best_cost_0_0) < 0;
       lastwinner2_best_cost_0_1_is_less := (lastwinner1_best_cost_0_3 - lastwinner1_best_cost_0_2) < 0;
       lastwinner2_best_cost_0_2_is_less := (lastwinner1_best_cost_0_5 - lastwinner1_best_cost_0_4) < 0;
-      lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1 when lastwinner2_best_cost_0_0_is_less else
-        lastwinner1_best_cost_0_0;
-      lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3 when lastwinner2_best_cost_0_1_is_less else
-        lastwinner1_best_cost_0_2;
-      lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_5 when lastwinner2_best_cost_0_2_is_less else
-        lastwinner1_best_cost_0_4;
-      lastwinner2_best_index_0_0 <= lastwinner1_best_index_0_1 when lastwinner2_best_cost_0_0_is_less else
-        as_number(lastwinner1_best_index_0_0);
-      lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_3 when lastwinner2_best_cost_0_1_is_less else
-        lastwinner1_best_index_0_2;
-      lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_5 when lastwinner2_best_cost_0_2_is_less else
-        lastwinner1_best_index_0_4;
       lastwinner2_tag_valid <= lastwinner1_tag_valid;
       lastwinner2_tag_map_column <= lastwinner1_tag_map_column;
       lastwinner2_tag_end_of_line <= lastwinner1_tag_end_of_line;
+      if lastwinner2_best_cost_0_0_is_less then
+        lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1;
+        lastwinner2_best_index_0_0 <= lastwinner1_best_index_0_1;
+      else
+        lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_0;
+        lastwinner2_best_index_0_0 <= as_number(lastwinner1_best_index_0_0);
+      end if;
+      if lastwinner2_best_cost_0_1_is_less then
+        lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3;
+        lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_3;
+      else
+        lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_2;
+        lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_2;
+      end if;
+      if lastwinner2_best_cost_0_2_is_less then
+        lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_5;
+        lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_5;
+      else
+        lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_4;
+        lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_4;
+      end if;
       -- lastwinner3
       lastwinner3_best_cost_0_0_is_less := (lastwinner2_best_cost_0_1 - lastwinner2_best_cost_0_0) < 0;
-      lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1 when lastwinner3_best_cost_0_0_is_less else
-        lastwinner2_best_cost_0_0;
       lastwinner3_best_cost_0_1 <= lastwinner2_best_cost_0_2;
-      lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_1 when lastwinner3_best_cost_0_0_is_less else
-        lastwinner2_best_index_0_0;
       lastwinner3_best_index_0_1 <= lastwinner2_best_index_0_2;
       lastwinner3_tag_valid <= lastwinner2_tag_valid;
       lastwinner3_tag_map_column <= lastwinner2_tag_map_column;
       lastwinner3_tag_end_of_line <= lastwinner2_tag_end_of_line;
+      if lastwinner3_best_cost_0_0_is_less then
+        lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1;
+        lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_1;
+      else
+        lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_0;
+        lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_0;
+      end if;
       -- lastwinner4
-      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when (lastwinner3_best_cost_0_1 -
-        lastwinner3_best_cost_0_0) < 0 else lastwinner3_best_index_0_0;
       lastwinner4_tag_valid <= lastwinner3_tag_valid;
       lastwinner4_tag_map_column <= lastwinner3_tag_map_column;
       lastwinner4_tag_end_of_line <= lastwinner3_tag_end_of_line;
+      if (lastwinner3_best_cost_0_1 - lastwinner3_best_cost_0_0) < 0 then
+        lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1;
+      else
+        lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_0;
+      end if;
       -- traceback
       if decisions_ready_decision_2_all then
         traceback_state_choice := decisions_ready_decision_2_sum_3 mod 256;
@@ -5113,11 +7403,15 @@ begin
         traceback_state_choice_3 := traceback_state_choice_2;
       end if;
       if entry_tag_valid then
-        traceback_state <= traceback_state_choice_3 when decisions_comes_0 else last_state;
         traceback_tags_held_0_output_column <= entry_turned_output_column;
         traceback_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
         traceback_tags_held_1_output_column <= traceback_tags_held_0_output_column;
         traceback_tags_held_1_start_of_frame <= traceback_tags_held_0_start_of_frame;
+        if decisions_comes_0 then
+          traceback_state <= traceback_state_choice_3;
+        else
+          traceback_state <= last_state;
+        end if;
       end if;
       traceback_out_disparity_0 <= traceback_state;
       traceback_out_passed <= ((entry_tag_row_start / 2) = 1) or ((entry_tag_row_start mod 2) = 1) or (not
@@ -5128,18 +7422,26 @@ begin
       traceback_out_tag_end_of_line <= last_tags_held_1_end_of_line;
       -- turn
       turn_order_address_any := turn_order_inside or (not traceback_out_tag_map_column) or (not last_tag_valid);
-      turn_order_address_choice := 31 when turn_order_falls else 1;
-      turn_order_address_choice_2 := 0 when turn_order_falls else entry_order_last_value;
+      if turn_order_falls then
+        turn_order_address_choice := 31;
+      else
+        turn_order_address_choice := 1;
+      end if;
+      if turn_order_falls then
+        turn_order_address_choice_2 := 0;
+      else
+        turn_order_address_choice_2 := entry_order_last_value;
+      end if;
       turn_order_address_any_2 := (not traceback_out_tag_map_column) or (not last_tag_valid);
       if not turn_order_address_any_2 then
-        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32 when turn_order_address_any else
-          turn_order_address_choice_2;
+        if turn_order_address_any then
+          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 32;
+        else
+          turn_order_address <= turn_order_address_choice_2;
+        end if;
       end if;
       turn_order_falls_all := (not turn_order_inside) and traceback_out_tag_map_column and last_tag_valid;
       turn_order_complete_all := traceback_out_tag_map_column and last_tag_valid;
-      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
-      turn_order_complete <= turn_order_complete or turn_order_complete_all when traceback_out_tag_end_of_line else
-        turn_order_complete and turn_order_address_any_2;
       turn_order_turned_map_column <= traceback_out_tag_map_column;
       turn_order_turned_first_column <= turn_order_falls_all;
       turn_newest <= (as_number(traceback_out_passed) * 256) + traceback_out_disparity_0;
@@ -5149,6 +7451,16 @@ begin
       turn_ready <= to_integer(turn_read_words_0);
       turn_ready_tag_map_column <= turn_read_tag_map_column;
       turn_ready_tag_first_column <= turn_read_tag_first_column;
+      if turn_order_falls then
+        turn_order_falls <= turn_order_address_any;
+      else
+        turn_order_falls <= turn_order_falls_all;
+      end if;
+      if traceback_out_tag_end_of_line then
+        turn_order_complete <= turn_order_complete or turn_order_complete_all;
+      else
+        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
+      end if;
       if last_tag_valid then
         turn_order_inside <= traceback_out_tag_map_column;
       end if;
@@ -5161,490 +7473,1047 @@ begin
         turn_write_place <= turn_order_address;
       end if;
       -- fill
-      fill_out_disparity_0_choice := 0 when turn_ready_tag_first_column else fill_out_disparity_0;
+      if turn_ready_tag_first_column then
+        fill_out_disparity_0_choice := 0;
+      else
+        fill_out_disparity_0_choice := fill_out_disparity_0;
+      end if;
       fill_out_disparity_0_all := lastwinner3_tag_valid and turn_ready_tag_map_column;
       if fill_out_disparity_0_all then
-        fill_out_disparity_0 <= turn_ready mod 256 when (turn_ready / 256) = 1 else fill_out_disparity_0_choice;
+        if (turn_ready / 256) = 1 then
+          fill_out_disparity_0 <= turn_ready mod 256;
+        else
+          fill_out_disparity_0 <= fill_out_disparity_0_choice;
+        end if;
       end if;
       fill_out_passed_0 <= (turn_ready / 256) = 1;
       fill_out_tag_map_column <= turn_ready_tag_map_column;
       -- map
       map_counter_column_value := ((size_map_last_column / 8) mod 2) = 1;
-      map_counter_column_choice := (map_counter_column / 8) = 3 when map_counter_column_value else (map_counter_column
-        / 8) = 2;
-      map_counter_column_choice_2 := (map_counter_column / 8) = 1 when map_counter_column_value else
-        (map_counter_column / 8) = 0;
-      map_counter_column_choice_3 := map_counter_column_choice when (size_map_last_column / 16) = 1 else
-        map_counter_column_choice_2;
-      map_counter_column_choice_4 := (map_counter_column mod 4) = 3 when (size_map_last_column mod 2) = 1 else
-        (map_counter_column mod 4) = 2;
-      map_counter_column_choice_5 := (map_counter_column mod 4) = 1 when (size_map_last_column mod 2) = 1 else
-        (map_counter_column mod 4) = 0;
-      map_counter_column_choice_6 := map_counter_column_choice_4 when ((size_map_last_column / 2) mod 2) = 1 else
-        map_counter_column_choice_5;
+      if map_counter_column_value then
+        map_counter_column_choice := (map_counter_column / 8) = 3;
+      else
+        map_counter_column_choice := (map_counter_column / 8) = 2;
+      end if;
+      if map_counter_column_value then
+        map_counter_column_choice_2 := (map_counter_column / 8) = 1;
+      else
+        map_counter_column_choice_2 := (map_counter_column / 8) = 0;
+      end if;
+      if (size_map_last_column / 16) = 1 then
+        map_counter_column_choice_3 := map_counter_column_choice;
+      else
+        map_counter_column_choice_3 := map_counter_column_choice_2;
+      end if;
+      if (size_map_last_column mod 2) = 1 then
+        map_counter_column_choice_4 := (map_counter_column mod 4) = 3;
+      else
+        map_counter_column_choice_4 := (map_counter_column mod 4) = 2;
+      end if;
+      if (size_map_last_column mod 2) = 1 then
+        map_counter_column_choice_5 := (map_counter_column mod 4) = 1;
+      else
+        map_counter_column_choice_5 := (map_counter_column mod 4) = 0;
+      end if;
+      if ((size_map_last_column / 2) mod 2) = 1 then
+        map_counter_column_choice_6 := map_counter_column_choice_4;
+      else
+        map_counter_column_choice_6 := map_counter_column_choice_5;
+      end if;
       map_counter_column_differs := (((size_map_last_column / 4) mod 2) = 1) /= (not (((map_counter_column / 4) mod 2)
         = 1));
       map_counter_column_all := map_counter_column_choice_3 and map_counter_column_choice_6 and
         map_counter_column_differs;
-      map_counter_next_frame_choice := (not (((map_counter_group / 2) mod 2) = 1)) or (not ((map_counter_group mod 2) =
-        1)) when (size_windows_idle mod 2) = 1 else not (((map_counter_group / 2) mod 2) = 1);
+      if (size_windows_idle mod 2) = 1 then
+        map_counter_next_frame_choice := (not (((map_counter_group / 2) mod 2) = 1)) or (not ((map_counter_group mod 2)
+          = 1));
+      else
+        map_counter_next_frame_choice := not (((map_counter_group / 2) mod 2) = 1);
+      end if;
       map_counter_next_frame_is_equal := (map_counter_group mod 4) = 0;
-      map_counter_next_frame_choice_2 := map_counter_next_frame_choice when raster_place_group_value_9 else
-        ((size_windows_idle mod 2) = 1) and map_counter_next_frame_is_equal;
+      if raster_place_group_value_9 then
+        map_counter_next_frame_choice_2 := map_counter_next_frame_choice;
+      else
+        map_counter_next_frame_choice_2 := ((size_windows_idle mod 2) = 1) and map_counter_next_frame_is_equal;
+      end if;
       map_counter_next_frame_value := ((map_counter_group / 4) mod 2) = 1;
-      map_counter_next_frame_choice_3 := (not transform_counter_group_value_9) and map_counter_next_frame_value when
-        map_counter_next_frame_choice_2 else (not transform_counter_group_value_9) or map_counter_next_frame_value;
+      if map_counter_next_frame_choice_2 then
+        map_counter_next_frame_choice_3 := (not transform_counter_group_value_9) and map_counter_next_frame_value;
+      else
+        map_counter_next_frame_choice_3 := (not transform_counter_group_value_9) or map_counter_next_frame_value;
+      end if;
       map_counter_next_frame_value_2 := ((map_counter_group / 8) mod 2) = 1;
-      map_counter_next_frame_choice_4 := (not raster_place_group_value_10) or map_counter_next_frame_value_2 when
-        map_counter_next_frame_choice_3 else (not raster_place_group_value_10) and map_counter_next_frame_value_2;
-      map_counter_next_frame_choice_5 := (not ((size_windows_idle / 16) = 1)) or ((map_counter_group / 16) = 1) when
-        map_counter_next_frame_choice_4 else (not ((size_windows_idle / 16) = 1)) and ((map_counter_group / 16) = 1);
+      if map_counter_next_frame_choice_3 then
+        map_counter_next_frame_choice_4 := (not raster_place_group_value_10) or map_counter_next_frame_value_2;
+      else
+        map_counter_next_frame_choice_4 := (not raster_place_group_value_10) and map_counter_next_frame_value_2;
+      end if;
+      if map_counter_next_frame_choice_4 then
+        map_counter_next_frame_choice_5 := (not ((size_windows_idle / 16) = 1)) or ((map_counter_group / 16) = 1);
+      else
+        map_counter_next_frame_choice_5 := (not ((size_windows_idle / 16) = 1)) and ((map_counter_group / 16) = 1);
+      end if;
       map_counter_next_frame_value_3 := ((size_windows_groups / 8) mod 2) = 1;
-      map_counter_next_frame_choice_6 := (map_counter_group / 8) = 3 when map_counter_next_frame_value_3 else
-        (map_counter_group / 8) = 2;
+      if map_counter_next_frame_value_3 then
+        map_counter_next_frame_choice_6 := (map_counter_group / 8) = 3;
+      else
+        map_counter_next_frame_choice_6 := (map_counter_group / 8) = 2;
+      end if;
       map_counter_next_frame_is_equal_2 := (map_counter_group / 8) = 1;
       map_counter_next_frame_is_equal_3 := (map_counter_group / 8) = 0;
-      map_counter_next_frame_choice_7 := map_counter_next_frame_is_equal_2 when map_counter_next_frame_value_3 else
-        map_counter_next_frame_is_equal_3;
-      map_counter_next_frame_choice_8 := map_counter_next_frame_choice_6 when (size_windows_groups / 16) = 1 else
-        map_counter_next_frame_choice_7;
+      if map_counter_next_frame_value_3 then
+        map_counter_next_frame_choice_7 := map_counter_next_frame_is_equal_2;
+      else
+        map_counter_next_frame_choice_7 := map_counter_next_frame_is_equal_3;
+      end if;
+      if (size_windows_groups / 16) = 1 then
+        map_counter_next_frame_choice_8 := map_counter_next_frame_choice_6;
+      else
+        map_counter_next_frame_choice_8 := map_counter_next_frame_choice_7;
+      end if;
       map_counter_next_frame_is_equal_4 := (map_counter_group mod 4) = 3;
       map_counter_next_frame_is_equal_5 := (map_counter_group mod 4) = 2;
-      map_counter_next_frame_choice_9 := map_counter_next_frame_is_equal_4 when (size_windows_groups mod 2) = 1 else
-        map_counter_next_frame_is_equal_5;
+      if (size_windows_groups mod 2) = 1 then
+        map_counter_next_frame_choice_9 := map_counter_next_frame_is_equal_4;
+      else
+        map_counter_next_frame_choice_9 := map_counter_next_frame_is_equal_5;
+      end if;
       map_counter_next_frame_is_equal_6 := (map_counter_group mod 4) = 1;
-      map_counter_next_frame_choice_10 := map_counter_next_frame_is_equal_6 when (size_windows_groups mod 2) = 1 else
-        map_counter_next_frame_is_equal;
-      map_counter_next_frame_choice_11 := map_counter_next_frame_choice_9 when ((size_windows_groups / 2) mod 2) = 1
-        else map_counter_next_frame_choice_10;
+      if (size_windows_groups mod 2) = 1 then
+        map_counter_next_frame_choice_10 := map_counter_next_frame_is_equal_6;
+      else
+        map_counter_next_frame_choice_10 := map_counter_next_frame_is_equal;
+      end if;
+      if ((size_windows_groups / 2) mod 2) = 1 then
+        map_counter_next_frame_choice_11 := map_counter_next_frame_choice_9;
+      else
+        map_counter_next_frame_choice_11 := map_counter_next_frame_choice_10;
+      end if;
       map_counter_next_frame_differs := raster_place_group_value_11 /= (not map_counter_next_frame_value);
       map_counter_next_frame_all := map_counter_next_frame_choice_8 and map_counter_next_frame_choice_11 and
         map_counter_next_frame_differs;
-      map_counter_next_frame_choice_12 := (not map_counter_next_frame_all) and map_counter_next_frame when
-        map_counter_column_all else map_counter_next_frame;
-      map_counter_next_frame_choice_13 := map_counter_next_frame when map_counter_next_frame_choice_5 else
-        map_counter_next_frame_choice_12;
-      map_counter_next_frame_choice_14 := map_counter_next_frame_is_equal_2 when (size_windows_last_group / 8) = 1 else
-        map_counter_next_frame_is_equal_3;
-      map_counter_next_frame_choice_15 := map_counter_next_frame_is_equal_4 when (size_windows_last_group mod 2) = 1
-        else map_counter_next_frame_is_equal_5;
-      map_counter_next_frame_choice_16 := map_counter_next_frame_is_equal_6 when (size_windows_last_group mod 2) = 1
-        else map_counter_next_frame_is_equal;
-      map_counter_next_frame_choice_17 := map_counter_next_frame_choice_15 when ((size_windows_last_group / 2) mod 2) =
-        1 else map_counter_next_frame_choice_16;
+      if map_counter_column_all then
+        map_counter_next_frame_choice_12 := (not map_counter_next_frame_all) and map_counter_next_frame;
+      else
+        map_counter_next_frame_choice_12 := map_counter_next_frame;
+      end if;
+      if map_counter_next_frame_choice_5 then
+        map_counter_next_frame_choice_13 := map_counter_next_frame;
+      else
+        map_counter_next_frame_choice_13 := map_counter_next_frame_choice_12;
+      end if;
+      if (size_windows_last_group / 8) = 1 then
+        map_counter_next_frame_choice_14 := map_counter_next_frame_is_equal_2;
+      else
+        map_counter_next_frame_choice_14 := map_counter_next_frame_is_equal_3;
+      end if;
+      if (size_windows_last_group mod 2) = 1 then
+        map_counter_next_frame_choice_15 := map_counter_next_frame_is_equal_4;
+      else
+        map_counter_next_frame_choice_15 := map_counter_next_frame_is_equal_5;
+      end if;
+      if (size_windows_last_group mod 2) = 1 then
+        map_counter_next_frame_choice_16 := map_counter_next_frame_is_equal_6;
+      else
+        map_counter_next_frame_choice_16 := map_counter_next_frame_is_equal;
+      end if;
+      if ((size_windows_last_group / 2) mod 2) = 1 then
+        map_counter_next_frame_choice_17 := map_counter_next_frame_choice_15;
+      else
+        map_counter_next_frame_choice_17 := map_counter_next_frame_choice_16;
+      end if;
       map_counter_next_frame_differs_2 := transform_counter_group_value_4 /= (not map_counter_next_frame_value);
       map_counter_next_frame_all_2 := map_counter_next_frame_choice_14 and map_counter_next_frame_choice_17 and
         map_counter_next_frame_differs_2 and map_counter_column_choice_3 and map_counter_column_choice_6 and
         map_counter_column_differs;
       if other_1 then
-        map_counter_column <= 0 when map_counter_column_all or ((other_5 mod 2) = 1) else (map_counter_column + 1) mod
-          32;
-        map_counter_next_frame <= map_counter_next_frame_all_2 or (not ((other_5 mod 2) = 1)) when
-          map_counter_next_frame_choice_13 else map_counter_next_frame_choice_14 and map_counter_next_frame_choice_17
-          and map_counter_next_frame_differs_2 and map_counter_column_choice_3 and map_counter_column_choice_6 and
-          map_counter_column_differs and ((other_5 mod 2) = 1);
+        if map_counter_column_all or ((other_5 mod 2) = 1) then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 32;
+        end if;
+        if map_counter_next_frame_choice_13 then
+          map_counter_next_frame <= map_counter_next_frame_all_2 or (not ((other_5 mod 2) = 1));
+        else
+          map_counter_next_frame <= map_counter_next_frame_choice_14 and map_counter_next_frame_choice_17 and
+            map_counter_next_frame_differs_2 and map_counter_column_choice_3 and map_counter_column_choice_6 and
+            map_counter_column_differs and ((other_5 mod 2) = 1);
+        end if;
       end if;
-      map_counter_group_choice := size_windows_groups when map_counter_next_frame_all_2 else 0;
-      map_counter_group_choice_2 := 1 when map_counter_next_frame_choice_8 and map_counter_next_frame_choice_11 and
-        map_counter_next_frame_differs and map_counter_next_frame else (map_counter_group + 1) mod 32;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when (not map_counter_next_frame_choice_5) and
-        map_counter_column_choice_3 and map_counter_column_choice_6 and map_counter_column_differs and other_1 else
-        map_counter_group;
-      map_line_ended_choice := 255 < other_5 when lastwinner4_tag_valid else map_line_ended;
+      if map_counter_next_frame_all_2 then
+        map_counter_group_choice := size_windows_groups;
+      else
+        map_counter_group_choice := 0;
+      end if;
+      if map_counter_next_frame_choice_8 and map_counter_next_frame_choice_11 and map_counter_next_frame_differs and
+        map_counter_next_frame then
+        map_counter_group_choice_2 := 1;
+      else
+        map_counter_group_choice_2 := (map_counter_group + 1) mod 32;
+      end if;
+      if (not map_counter_next_frame_choice_5) and map_counter_column_choice_3 and map_counter_column_choice_6 and
+        map_counter_column_differs and other_1 then
+        map_counter_group_choice_3 := map_counter_group_choice_2;
+      else
+        map_counter_group_choice_3 := map_counter_group;
+      end if;
+      if lastwinner4_tag_valid then
+        map_line_ended_choice := 255 < other_5;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_2(16 downto 16)) = 1;
       map_of_column_0_b_below_a_value := ((map_column_1 / 4) mod 2) = 1;
-      map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value when map_at_top else ((other_3 / 4) mod 2) =
-        1;
+      if map_at_top then
+        map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value;
+      else
+        map_of_column_0_b_below_a_choice := ((other_3 / 4) mod 2) = 1;
+      end if;
       map_of_column_0_b_below_a_value_2 := ((map_column_1 / 2) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_2 when map_at_top else ((other_3 / 2) mod
-        2) = 1;
-      map_of_column_0_b_below_a_choice_3 := ((map_column_1 / 2) mod 4) = 3 when map_of_column_0_b_below_a_choice_2 else
-        map_of_column_0_b_below_a_value;
-      map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_3 when map_of_column_0_b_below_a_choice
-        else (not map_of_column_0_b_below_a_choice_2) or map_of_column_0_b_below_a_value or
-        map_of_column_0_b_below_a_value_2;
+      if map_at_top then
+        map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_2;
+      else
+        map_of_column_0_b_below_a_choice_2 := ((other_3 / 2) mod 2) = 1;
+      end if;
+      if map_of_column_0_b_below_a_choice_2 then
+        map_of_column_0_b_below_a_choice_3 := ((map_column_1 / 2) mod 4) = 3;
+      else
+        map_of_column_0_b_below_a_choice_3 := map_of_column_0_b_below_a_value;
+      end if;
+      if map_of_column_0_b_below_a_choice then
+        map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_3;
+      else
+        map_of_column_0_b_below_a_choice_4 := (not map_of_column_0_b_below_a_choice_2) or
+          map_of_column_0_b_below_a_value or map_of_column_0_b_below_a_value_2;
+      end if;
       map_of_column_0_b_below_a_value_3 := ((map_column_1 / 8) mod 2) = 1;
       map_of_column_0_b_below_a_value_4 := ((other_3 / 8) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_5 := (not map_of_column_0_b_below_a_value_3) and
-        map_of_column_0_b_below_a_value_4 and (not map_at_top) when map_of_column_0_b_below_a_choice_4 else (not
-        map_of_column_0_b_below_a_value_3) or map_of_column_0_b_below_a_value_4 or map_at_top;
+      if map_of_column_0_b_below_a_choice_4 then
+        map_of_column_0_b_below_a_choice_5 := (not map_of_column_0_b_below_a_value_3) and
+          map_of_column_0_b_below_a_value_4 and (not map_at_top);
+      else
+        map_of_column_0_b_below_a_choice_5 := (not map_of_column_0_b_below_a_value_3) or
+          map_of_column_0_b_below_a_value_4 or map_at_top;
+      end if;
       map_of_column_0_b_below_a_value_5 := ((map_column_1 / 16) mod 2) = 1;
       map_of_column_0_b_below_a_value_6 := ((other_3 / 16) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_6 := (not map_of_column_0_b_below_a_value_5) or
-        map_of_column_0_b_below_a_value_6 or map_at_top when map_of_column_0_b_below_a_choice_5 else (not
-        map_of_column_0_b_below_a_value_5) and map_of_column_0_b_below_a_value_6 and (not map_at_top);
+      if map_of_column_0_b_below_a_choice_5 then
+        map_of_column_0_b_below_a_choice_6 := (not map_of_column_0_b_below_a_value_5) or
+          map_of_column_0_b_below_a_value_6 or map_at_top;
+      else
+        map_of_column_0_b_below_a_choice_6 := (not map_of_column_0_b_below_a_value_5) and
+          map_of_column_0_b_below_a_value_6 and (not map_at_top);
+      end if;
       map_of_column_0_b_below_a_value_7 := ((map_column_1 / 32) mod 2) = 1;
       map_of_column_0_b_below_a_value_8 := ((other_3 / 32) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_7 := (not map_of_column_0_b_below_a_value_7) or
-        map_of_column_0_b_below_a_value_8 or map_at_top when map_of_column_0_b_below_a_choice_6 else (not
-        map_of_column_0_b_below_a_value_7) and map_of_column_0_b_below_a_value_8 and (not map_at_top);
+      if map_of_column_0_b_below_a_choice_6 then
+        map_of_column_0_b_below_a_choice_7 := (not map_of_column_0_b_below_a_value_7) or
+          map_of_column_0_b_below_a_value_8 or map_at_top;
+      else
+        map_of_column_0_b_below_a_choice_7 := (not map_of_column_0_b_below_a_value_7) and
+          map_of_column_0_b_below_a_value_8 and (not map_at_top);
+      end if;
       map_of_column_0_b_below_a_value_9 := ((map_column_1 / 64) mod 2) = 1;
       map_of_column_0_b_below_a_value_10 := ((other_3 / 64) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_8 := (not map_of_column_0_b_below_a_value_9) or
-        map_of_column_0_b_below_a_value_10 or map_at_top when map_of_column_0_b_below_a_choice_7 else (not
-        map_of_column_0_b_below_a_value_9) and map_of_column_0_b_below_a_value_10 and (not map_at_top);
+      if map_of_column_0_b_below_a_choice_7 then
+        map_of_column_0_b_below_a_choice_8 := (not map_of_column_0_b_below_a_value_9) or
+          map_of_column_0_b_below_a_value_10 or map_at_top;
+      else
+        map_of_column_0_b_below_a_choice_8 := (not map_of_column_0_b_below_a_value_9) and
+          map_of_column_0_b_below_a_value_10 and (not map_at_top);
+      end if;
       map_of_column_0_b_below_a_value_11 := ((map_column_1 / 128) mod 2) = 1;
       map_of_column_0_b_below_a_value_12 := ((other_3 / 128) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_9 := (not map_of_column_0_b_below_a_value_11) or
-        map_of_column_0_b_below_a_value_12 or map_at_top when map_of_column_0_b_below_a_choice_8 else (not
-        map_of_column_0_b_below_a_value_11) and map_of_column_0_b_below_a_value_12 and (not map_at_top);
+      if map_of_column_0_b_below_a_choice_8 then
+        map_of_column_0_b_below_a_choice_9 := (not map_of_column_0_b_below_a_value_11) or
+          map_of_column_0_b_below_a_value_12 or map_at_top;
+      else
+        map_of_column_0_b_below_a_choice_9 := (not map_of_column_0_b_below_a_value_11) and
+          map_of_column_0_b_below_a_value_12 and (not map_at_top);
+      end if;
       map_of_column_0_c_below_a_value := ((map_column_2 / 4) mod 2) = 1;
-      map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value when map_at_bottom else
-        map_of_column_0_c_below_a_value;
+      if map_at_bottom then
+        map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value;
+      else
+        map_of_column_0_c_below_a_choice := map_of_column_0_c_below_a_value;
+      end if;
       map_of_column_0_c_below_a_value_2 := ((map_column_2 / 2) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_2 := (not map_of_column_0_b_below_a_value_2) and map_at_bottom when
-        map_of_column_0_c_below_a_value_2 else (not map_of_column_0_b_below_a_value_2) or (not map_at_bottom);
-      map_of_column_0_c_below_a_choice_3 := (not (map_of_column_0_b_below_a_choice_2 and
-        map_of_column_0_c_below_a_choice_2)) or (not map_of_column_0_b_below_a_choice) when
-        map_of_column_0_c_below_a_choice else (not (map_of_column_0_b_below_a_choice_2 and
-        map_of_column_0_c_below_a_choice_2)) and (not map_of_column_0_b_below_a_choice);
+      if map_of_column_0_c_below_a_value_2 then
+        map_of_column_0_c_below_a_choice_2 := (not map_of_column_0_b_below_a_value_2) and map_at_bottom;
+      else
+        map_of_column_0_c_below_a_choice_2 := (not map_of_column_0_b_below_a_value_2) or (not map_at_bottom);
+      end if;
+      if map_of_column_0_c_below_a_choice then
+        map_of_column_0_c_below_a_choice_3 := (not (map_of_column_0_b_below_a_choice_2 and
+          map_of_column_0_c_below_a_choice_2)) or (not map_of_column_0_b_below_a_choice);
+      else
+        map_of_column_0_c_below_a_choice_3 := (not (map_of_column_0_b_below_a_choice_2 and
+          map_of_column_0_c_below_a_choice_2)) and (not map_of_column_0_b_below_a_choice);
+      end if;
       map_of_column_0_c_below_a_value_3 := ((map_column_2 / 8) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_4 := map_of_column_0_b_below_a_value_3 when map_at_bottom else
-        map_of_column_0_c_below_a_value_3;
-      map_of_column_0_c_below_a_choice_5 := map_of_column_0_b_below_a_value_3 when map_at_top else
-        map_of_column_0_b_below_a_value_4;
-      map_of_column_0_c_below_a_choice_6 := (not map_of_column_0_c_below_a_choice_4) and
-        map_of_column_0_c_below_a_choice_5 when map_of_column_0_c_below_a_choice_3 else (not
-        map_of_column_0_c_below_a_choice_4) or map_of_column_0_c_below_a_choice_5;
+      if map_at_bottom then
+        map_of_column_0_c_below_a_choice_4 := map_of_column_0_b_below_a_value_3;
+      else
+        map_of_column_0_c_below_a_choice_4 := map_of_column_0_c_below_a_value_3;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_5 := map_of_column_0_b_below_a_value_3;
+      else
+        map_of_column_0_c_below_a_choice_5 := map_of_column_0_b_below_a_value_4;
+      end if;
+      if map_of_column_0_c_below_a_choice_3 then
+        map_of_column_0_c_below_a_choice_6 := (not map_of_column_0_c_below_a_choice_4) and
+          map_of_column_0_c_below_a_choice_5;
+      else
+        map_of_column_0_c_below_a_choice_6 := (not map_of_column_0_c_below_a_choice_4) or
+          map_of_column_0_c_below_a_choice_5;
+      end if;
       map_of_column_0_c_below_a_value_4 := ((map_column_2 / 16) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_7 := map_of_column_0_b_below_a_value_5 when map_at_bottom else
-        map_of_column_0_c_below_a_value_4;
-      map_of_column_0_c_below_a_choice_8 := map_of_column_0_b_below_a_value_5 when map_at_top else
-        map_of_column_0_b_below_a_value_6;
-      map_of_column_0_c_below_a_choice_9 := (not map_of_column_0_c_below_a_choice_7) or
-        map_of_column_0_c_below_a_choice_8 when map_of_column_0_c_below_a_choice_6 else (not
-        map_of_column_0_c_below_a_choice_7) and map_of_column_0_c_below_a_choice_8;
+      if map_at_bottom then
+        map_of_column_0_c_below_a_choice_7 := map_of_column_0_b_below_a_value_5;
+      else
+        map_of_column_0_c_below_a_choice_7 := map_of_column_0_c_below_a_value_4;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_8 := map_of_column_0_b_below_a_value_5;
+      else
+        map_of_column_0_c_below_a_choice_8 := map_of_column_0_b_below_a_value_6;
+      end if;
+      if map_of_column_0_c_below_a_choice_6 then
+        map_of_column_0_c_below_a_choice_9 := (not map_of_column_0_c_below_a_choice_7) or
+          map_of_column_0_c_below_a_choice_8;
+      else
+        map_of_column_0_c_below_a_choice_9 := (not map_of_column_0_c_below_a_choice_7) and
+          map_of_column_0_c_below_a_choice_8;
+      end if;
       map_of_column_0_c_below_a_value_5 := ((map_column_2 / 32) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_10 := map_of_column_0_b_below_a_value_7 when map_at_bottom else
-        map_of_column_0_c_below_a_value_5;
-      map_of_column_0_c_below_a_choice_11 := map_of_column_0_b_below_a_value_7 when map_at_top else
-        map_of_column_0_b_below_a_value_8;
-      map_of_column_0_c_below_a_choice_12 := (not map_of_column_0_c_below_a_choice_10) or
-        map_of_column_0_c_below_a_choice_11 when map_of_column_0_c_below_a_choice_9 else (not
-        map_of_column_0_c_below_a_choice_10) and map_of_column_0_c_below_a_choice_11;
+      if map_at_bottom then
+        map_of_column_0_c_below_a_choice_10 := map_of_column_0_b_below_a_value_7;
+      else
+        map_of_column_0_c_below_a_choice_10 := map_of_column_0_c_below_a_value_5;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_11 := map_of_column_0_b_below_a_value_7;
+      else
+        map_of_column_0_c_below_a_choice_11 := map_of_column_0_b_below_a_value_8;
+      end if;
+      if map_of_column_0_c_below_a_choice_9 then
+        map_of_column_0_c_below_a_choice_12 := (not map_of_column_0_c_below_a_choice_10) or
+          map_of_column_0_c_below_a_choice_11;
+      else
+        map_of_column_0_c_below_a_choice_12 := (not map_of_column_0_c_below_a_choice_10) and
+          map_of_column_0_c_below_a_choice_11;
+      end if;
       map_of_column_0_c_below_a_value_6 := ((map_column_2 / 64) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_13 := map_of_column_0_b_below_a_value_9 when map_at_bottom else
-        map_of_column_0_c_below_a_value_6;
-      map_of_column_0_c_below_a_choice_14 := map_of_column_0_b_below_a_value_9 when map_at_top else
-        map_of_column_0_b_below_a_value_10;
-      map_of_column_0_c_below_a_choice_15 := (not map_of_column_0_c_below_a_choice_13) or
-        map_of_column_0_c_below_a_choice_14 when map_of_column_0_c_below_a_choice_12 else (not
-        map_of_column_0_c_below_a_choice_13) and map_of_column_0_c_below_a_choice_14;
+      if map_at_bottom then
+        map_of_column_0_c_below_a_choice_13 := map_of_column_0_b_below_a_value_9;
+      else
+        map_of_column_0_c_below_a_choice_13 := map_of_column_0_c_below_a_value_6;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_14 := map_of_column_0_b_below_a_value_9;
+      else
+        map_of_column_0_c_below_a_choice_14 := map_of_column_0_b_below_a_value_10;
+      end if;
+      if map_of_column_0_c_below_a_choice_12 then
+        map_of_column_0_c_below_a_choice_15 := (not map_of_column_0_c_below_a_choice_13) or
+          map_of_column_0_c_below_a_choice_14;
+      else
+        map_of_column_0_c_below_a_choice_15 := (not map_of_column_0_c_below_a_choice_13) and
+          map_of_column_0_c_below_a_choice_14;
+      end if;
       map_of_column_0_c_below_a_value_7 := ((map_column_2 / 128) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_16 := map_of_column_0_b_below_a_value_11 when map_at_bottom else
-        map_of_column_0_c_below_a_value_7;
-      map_of_column_0_c_below_a_choice_17 := map_of_column_0_b_below_a_value_11 when map_at_top else
-        map_of_column_0_b_below_a_value_12;
-      map_of_column_0_c_below_a_choice_18 := (not map_of_column_0_c_below_a_choice_16) or
-        map_of_column_0_c_below_a_choice_17 when map_of_column_0_c_below_a_choice_15 else (not
-        map_of_column_0_c_below_a_choice_16) and map_of_column_0_c_below_a_choice_17;
-      map_of_column_0_c_below_a_choice_19 := (map_column_1 / 256) = 1 when map_at_bottom else (map_column_2 / 256) = 1;
-      map_of_column_0_c_below_a_choice_20 := (map_column_1 / 256) = 1 when map_at_top else (other_3 / 256) = 1;
-      map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value and (not map_of_column_0_b_below_a_value) and
-        (not map_at_bottom) when (not map_of_column_0_c_below_a_value_2) and map_of_column_0_b_below_a_value_2 and (not
-        map_at_bottom) else map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value) or map_at_bottom;
-      map_of_column_0_c_below_b_choice_2 := (not map_of_column_0_c_below_a_value_3) and
-        map_of_column_0_b_below_a_value_3 and (not map_at_bottom) when map_of_column_0_c_below_b_choice else (not
-        map_of_column_0_c_below_a_value_3) or map_of_column_0_b_below_a_value_3 or map_at_bottom;
-      map_of_column_0_c_below_b_choice_3 := (not map_of_column_0_c_below_a_value_4) or
-        map_of_column_0_b_below_a_value_5 or map_at_bottom when map_of_column_0_c_below_b_choice_2 else (not
-        map_of_column_0_c_below_a_value_4) and map_of_column_0_b_below_a_value_5 and (not map_at_bottom);
-      map_of_column_0_c_below_b_choice_4 := (not map_of_column_0_c_below_a_value_5) or
-        map_of_column_0_b_below_a_value_7 or map_at_bottom when map_of_column_0_c_below_b_choice_3 else (not
-        map_of_column_0_c_below_a_value_5) and map_of_column_0_b_below_a_value_7 and (not map_at_bottom);
-      map_of_column_0_c_below_b_choice_5 := (not map_of_column_0_c_below_a_value_6) or
-        map_of_column_0_b_below_a_value_9 or map_at_bottom when map_of_column_0_c_below_b_choice_4 else (not
-        map_of_column_0_c_below_a_value_6) and map_of_column_0_b_below_a_value_9 and (not map_at_bottom);
-      map_of_column_0_c_below_b_choice_6 := (not map_of_column_0_c_below_a_value_7) or
-        map_of_column_0_b_below_a_value_11 or map_at_bottom when map_of_column_0_c_below_b_choice_5 else (not
-        map_of_column_0_c_below_a_value_7) and map_of_column_0_b_below_a_value_11 and (not map_at_bottom);
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
-      map_sorted_middle_0_choice := map_of_column_0_b when map_of_column_0_c_below_b else map_sorted_low_0_choice_2;
-      map_sorted_middle_0_choice_2 := map_of_column_0_a when map_of_column_0_c_below_a else map_sorted_low_0_choice;
-      map_sorted_high_0_choice := map_of_column_0_a when map_of_column_0_c_below_a else map_of_column_0_c;
-      map_sorted_high_0_choice_2 := map_of_column_0_b when map_of_column_0_c_below_b else map_of_column_0_c;
+      if map_at_bottom then
+        map_of_column_0_c_below_a_choice_16 := map_of_column_0_b_below_a_value_11;
+      else
+        map_of_column_0_c_below_a_choice_16 := map_of_column_0_c_below_a_value_7;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_17 := map_of_column_0_b_below_a_value_11;
+      else
+        map_of_column_0_c_below_a_choice_17 := map_of_column_0_b_below_a_value_12;
+      end if;
+      if map_of_column_0_c_below_a_choice_15 then
+        map_of_column_0_c_below_a_choice_18 := (not map_of_column_0_c_below_a_choice_16) or
+          map_of_column_0_c_below_a_choice_17;
+      else
+        map_of_column_0_c_below_a_choice_18 := (not map_of_column_0_c_below_a_choice_16) and
+          map_of_column_0_c_below_a_choice_17;
+      end if;
+      if map_at_bottom then
+        map_of_column_0_c_below_a_choice_19 := (map_column_1 / 256) = 1;
+      else
+        map_of_column_0_c_below_a_choice_19 := (map_column_2 / 256) = 1;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_20 := (map_column_1 / 256) = 1;
+      else
+        map_of_column_0_c_below_a_choice_20 := (other_3 / 256) = 1;
+      end if;
+      if (not map_of_column_0_c_below_a_value_2) and map_of_column_0_b_below_a_value_2 and (not map_at_bottom) then
+        map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value and (not map_of_column_0_b_below_a_value)
+          and (not map_at_bottom);
+      else
+        map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value) or
+          map_at_bottom;
+      end if;
+      if map_of_column_0_c_below_b_choice then
+        map_of_column_0_c_below_b_choice_2 := (not map_of_column_0_c_below_a_value_3) and
+          map_of_column_0_b_below_a_value_3 and (not map_at_bottom);
+      else
+        map_of_column_0_c_below_b_choice_2 := (not map_of_column_0_c_below_a_value_3) or
+          map_of_column_0_b_below_a_value_3 or map_at_bottom;
+      end if;
+      if map_of_column_0_c_below_b_choice_2 then
+        map_of_column_0_c_below_b_choice_3 := (not map_of_column_0_c_below_a_value_4) or
+          map_of_column_0_b_below_a_value_5 or map_at_bottom;
+      else
+        map_of_column_0_c_below_b_choice_3 := (not map_of_column_0_c_below_a_value_4) and
+          map_of_column_0_b_below_a_value_5 and (not map_at_bottom);
+      end if;
+      if map_of_column_0_c_below_b_choice_3 then
+        map_of_column_0_c_below_b_choice_4 := (not map_of_column_0_c_below_a_value_5) or
+          map_of_column_0_b_below_a_value_7 or map_at_bottom;
+      else
+        map_of_column_0_c_below_b_choice_4 := (not map_of_column_0_c_below_a_value_5) and
+          map_of_column_0_b_below_a_value_7 and (not map_at_bottom);
+      end if;
+      if map_of_column_0_c_below_b_choice_4 then
+        map_of_column_0_c_below_b_choice_5 := (not map_of_column_0_c_below_a_value_6) or
+          map_of_column_0_b_below_a_value_9 or map_at_bottom;
+      else
+        map_of_column_0_c_below_b_choice_5 := (not map_of_column_0_c_below_a_value_6) and
+          map_of_column_0_b_below_a_value_9 and (not map_at_bottom);
+      end if;
+      if map_of_column_0_c_below_b_choice_5 then
+        map_of_column_0_c_below_b_choice_6 := (not map_of_column_0_c_below_a_value_7) or
+          map_of_column_0_b_below_a_value_11 or map_at_bottom;
+      else
+        map_of_column_0_c_below_b_choice_6 := (not map_of_column_0_c_below_a_value_7) and
+          map_of_column_0_b_below_a_value_11 and (not map_at_bottom);
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_middle_0_choice := map_of_column_0_b;
+      else
+        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_middle_0_choice_2 := map_of_column_0_a;
+      else
+        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_high_0_choice := map_of_column_0_a;
+      else
+        map_sorted_high_0_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_high_0_choice_2 := map_of_column_0_b;
+      else
+        map_sorted_high_0_choice_2 := map_of_column_0_c;
+      end if;
       map_window_complete_is_equal := map_sorted_column = 0;
       map_of_low_0_b_below_a_value := ((map_smallest_high_0 / 2) mod 2) = 1;
       map_of_low_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
-      map_of_low_0_b_below_a_choice := not (((map_median_middle_0 / 2) mod 2) = 1) when (map_smallest_high_0 mod 2) = 1
-        else map_of_low_0_b_below_a_is_equal;
-      map_of_low_0_b_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not (((map_median_middle_0 / 2) mod 2) =
-        1)) or (not ((map_median_middle_0 mod 2) = 1)) when map_of_low_0_b_below_a_value else
-        map_of_low_0_b_below_a_choice;
+      if (map_smallest_high_0 mod 2) = 1 then
+        map_of_low_0_b_below_a_choice := not (((map_median_middle_0 / 2) mod 2) = 1);
+      else
+        map_of_low_0_b_below_a_choice := map_of_low_0_b_below_a_is_equal;
+      end if;
+      if map_of_low_0_b_below_a_value then
+        map_of_low_0_b_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not (((map_median_middle_0 / 2) mod 2)
+          = 1)) or (not ((map_median_middle_0 mod 2) = 1));
+      else
+        map_of_low_0_b_below_a_choice_2 := map_of_low_0_b_below_a_choice;
+      end if;
       map_of_low_0_b_below_a_value_2 := ((map_median_middle_0 / 4) mod 2) = 1;
-      map_of_low_0_b_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
-        map_of_low_0_b_below_a_value_2 when map_of_low_0_b_below_a_choice_2 else (not (((map_smallest_high_0 / 4) mod
-        2) = 1)) or map_of_low_0_b_below_a_value_2;
+      if map_of_low_0_b_below_a_choice_2 then
+        map_of_low_0_b_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+          map_of_low_0_b_below_a_value_2;
+      else
+        map_of_low_0_b_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) or
+          map_of_low_0_b_below_a_value_2;
+      end if;
       map_of_low_0_b_below_a_value_3 := ((map_median_middle_0 / 8) mod 2) = 1;
-      map_of_low_0_b_below_a_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) or
-        map_of_low_0_b_below_a_value_3 when map_of_low_0_b_below_a_choice_3 else (not (((map_smallest_high_0 / 8) mod
-        2) = 1)) and map_of_low_0_b_below_a_value_3;
+      if map_of_low_0_b_below_a_choice_3 then
+        map_of_low_0_b_below_a_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) or
+          map_of_low_0_b_below_a_value_3;
+      else
+        map_of_low_0_b_below_a_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) and
+          map_of_low_0_b_below_a_value_3;
+      end if;
       map_of_low_0_b_below_a_value_4 := ((map_median_middle_0 / 16) mod 2) = 1;
-      map_of_low_0_b_below_a_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) or
-        map_of_low_0_b_below_a_value_4 when map_of_low_0_b_below_a_choice_4 else (not (((map_smallest_high_0 / 16) mod
-        2) = 1)) and map_of_low_0_b_below_a_value_4;
+      if map_of_low_0_b_below_a_choice_4 then
+        map_of_low_0_b_below_a_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) or
+          map_of_low_0_b_below_a_value_4;
+      else
+        map_of_low_0_b_below_a_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) and
+          map_of_low_0_b_below_a_value_4;
+      end if;
       map_of_low_0_b_below_a_value_5 := ((map_median_middle_0 / 32) mod 2) = 1;
-      map_of_low_0_b_below_a_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) or
-        map_of_low_0_b_below_a_value_5 when map_of_low_0_b_below_a_choice_5 else (not (((map_smallest_high_0 / 32) mod
-        2) = 1)) and map_of_low_0_b_below_a_value_5;
+      if map_of_low_0_b_below_a_choice_5 then
+        map_of_low_0_b_below_a_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) or
+          map_of_low_0_b_below_a_value_5;
+      else
+        map_of_low_0_b_below_a_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) and
+          map_of_low_0_b_below_a_value_5;
+      end if;
       map_of_low_0_b_below_a_value_6 := ((map_median_middle_0 / 64) mod 2) = 1;
-      map_of_low_0_b_below_a_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) or
-        map_of_low_0_b_below_a_value_6 when map_of_low_0_b_below_a_choice_6 else (not (((map_smallest_high_0 / 64) mod
-        2) = 1)) and map_of_low_0_b_below_a_value_6;
+      if map_of_low_0_b_below_a_choice_6 then
+        map_of_low_0_b_below_a_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) or
+          map_of_low_0_b_below_a_value_6;
+      else
+        map_of_low_0_b_below_a_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) and
+          map_of_low_0_b_below_a_value_6;
+      end if;
       map_of_low_0_c_below_a_value := ((map_low_2_0 / 2) mod 2) = 1;
       map_of_low_0_c_below_a_is_equal := (map_low_0_0 mod 4) = 0;
-      map_of_low_0_c_below_a_choice := not (((map_low_0_0 / 2) mod 2) = 1) when (map_low_2_0 mod 2) = 1 else
-        map_of_low_0_c_below_a_is_equal;
-      map_of_low_0_c_below_a_choice_2 := ((map_low_2_0 mod 2) = 1) or (not (((map_low_0_0 / 2) mod 2) = 1)) or (not
-        ((map_low_0_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_a_choice;
+      if (map_low_2_0 mod 2) = 1 then
+        map_of_low_0_c_below_a_choice := not (((map_low_0_0 / 2) mod 2) = 1);
+      else
+        map_of_low_0_c_below_a_choice := map_of_low_0_c_below_a_is_equal;
+      end if;
+      if map_of_low_0_c_below_a_value then
+        map_of_low_0_c_below_a_choice_2 := ((map_low_2_0 mod 2) = 1) or (not (((map_low_0_0 / 2) mod 2) = 1)) or (not
+          ((map_low_0_0 mod 2) = 1));
+      else
+        map_of_low_0_c_below_a_choice_2 := map_of_low_0_c_below_a_choice;
+      end if;
       map_of_low_0_c_below_a_value_2 := ((map_low_0_0 / 4) mod 2) = 1;
-      map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_c_below_a_value_2 when
-        map_of_low_0_c_below_a_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_c_below_a_value_2;
+      if map_of_low_0_c_below_a_choice_2 then
+        map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_c_below_a_value_2;
+      else
+        map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_c_below_a_value_2;
+      end if;
       map_of_low_0_c_below_a_value_3 := ((map_low_0_0 / 8) mod 2) = 1;
-      map_of_low_0_c_below_a_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) or map_of_low_0_c_below_a_value_3 when
-        map_of_low_0_c_below_a_choice_3 else (not (((map_low_2_0 / 8) mod 2) = 1)) and map_of_low_0_c_below_a_value_3;
+      if map_of_low_0_c_below_a_choice_3 then
+        map_of_low_0_c_below_a_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) or map_of_low_0_c_below_a_value_3;
+      else
+        map_of_low_0_c_below_a_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) and map_of_low_0_c_below_a_value_3;
+      end if;
       map_of_low_0_c_below_a_value_4 := ((map_low_0_0 / 16) mod 2) = 1;
-      map_of_low_0_c_below_a_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) or map_of_low_0_c_below_a_value_4 when
-        map_of_low_0_c_below_a_choice_4 else (not (((map_low_2_0 / 16) mod 2) = 1)) and map_of_low_0_c_below_a_value_4;
+      if map_of_low_0_c_below_a_choice_4 then
+        map_of_low_0_c_below_a_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) or map_of_low_0_c_below_a_value_4;
+      else
+        map_of_low_0_c_below_a_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) and map_of_low_0_c_below_a_value_4;
+      end if;
       map_of_low_0_c_below_a_value_5 := ((map_low_0_0 / 32) mod 2) = 1;
-      map_of_low_0_c_below_a_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) or map_of_low_0_c_below_a_value_5 when
-        map_of_low_0_c_below_a_choice_5 else (not (((map_low_2_0 / 32) mod 2) = 1)) and map_of_low_0_c_below_a_value_5;
+      if map_of_low_0_c_below_a_choice_5 then
+        map_of_low_0_c_below_a_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) or map_of_low_0_c_below_a_value_5;
+      else
+        map_of_low_0_c_below_a_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) and map_of_low_0_c_below_a_value_5;
+      end if;
       map_of_low_0_c_below_a_value_6 := ((map_low_0_0 / 64) mod 2) = 1;
-      map_of_low_0_c_below_a_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) or map_of_low_0_c_below_a_value_6 when
-        map_of_low_0_c_below_a_choice_6 else (not (((map_low_2_0 / 64) mod 2) = 1)) and map_of_low_0_c_below_a_value_6;
+      if map_of_low_0_c_below_a_choice_6 then
+        map_of_low_0_c_below_a_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) or map_of_low_0_c_below_a_value_6;
+      else
+        map_of_low_0_c_below_a_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) and map_of_low_0_c_below_a_value_6;
+      end if;
       map_of_low_0_c_below_b_value := ((map_low_1_0 / 2) mod 2) = 1;
-      map_of_low_0_c_below_b_choice := not map_of_low_0_c_below_b_value when (map_low_2_0 mod 2) = 1 else (map_low_1_0
-        mod 4) = 0;
-      map_of_low_0_c_below_b_choice_2 := ((map_low_2_0 mod 2) = 1) or (not map_of_low_0_c_below_b_value) or (not
-        ((map_low_1_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_b_choice;
+      if (map_low_2_0 mod 2) = 1 then
+        map_of_low_0_c_below_b_choice := not map_of_low_0_c_below_b_value;
+      else
+        map_of_low_0_c_below_b_choice := (map_low_1_0 mod 4) = 0;
+      end if;
+      if map_of_low_0_c_below_a_value then
+        map_of_low_0_c_below_b_choice_2 := ((map_low_2_0 mod 2) = 1) or (not map_of_low_0_c_below_b_value) or (not
+          ((map_low_1_0 mod 2) = 1));
+      else
+        map_of_low_0_c_below_b_choice_2 := map_of_low_0_c_below_b_choice;
+      end if;
       map_of_low_0_c_below_b_value_2 := ((map_low_1_0 / 4) mod 2) = 1;
-      map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_c_below_b_value_2 when
-        map_of_low_0_c_below_b_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_c_below_b_value_2;
+      if map_of_low_0_c_below_b_choice_2 then
+        map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_c_below_b_value_2;
+      else
+        map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_c_below_b_value_2;
+      end if;
       map_of_low_0_c_below_b_value_3 := ((map_low_1_0 / 8) mod 2) = 1;
-      map_of_low_0_c_below_b_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) or map_of_low_0_c_below_b_value_3 when
-        map_of_low_0_c_below_b_choice_3 else (not (((map_low_2_0 / 8) mod 2) = 1)) and map_of_low_0_c_below_b_value_3;
+      if map_of_low_0_c_below_b_choice_3 then
+        map_of_low_0_c_below_b_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) or map_of_low_0_c_below_b_value_3;
+      else
+        map_of_low_0_c_below_b_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) and map_of_low_0_c_below_b_value_3;
+      end if;
       map_of_low_0_c_below_b_value_4 := ((map_low_1_0 / 16) mod 2) = 1;
-      map_of_low_0_c_below_b_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) or map_of_low_0_c_below_b_value_4 when
-        map_of_low_0_c_below_b_choice_4 else (not (((map_low_2_0 / 16) mod 2) = 1)) and map_of_low_0_c_below_b_value_4;
+      if map_of_low_0_c_below_b_choice_4 then
+        map_of_low_0_c_below_b_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) or map_of_low_0_c_below_b_value_4;
+      else
+        map_of_low_0_c_below_b_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) and map_of_low_0_c_below_b_value_4;
+      end if;
       map_of_low_0_c_below_b_value_5 := ((map_low_1_0 / 32) mod 2) = 1;
-      map_of_low_0_c_below_b_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) or map_of_low_0_c_below_b_value_5 when
-        map_of_low_0_c_below_b_choice_5 else (not (((map_low_2_0 / 32) mod 2) = 1)) and map_of_low_0_c_below_b_value_5;
+      if map_of_low_0_c_below_b_choice_5 then
+        map_of_low_0_c_below_b_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) or map_of_low_0_c_below_b_value_5;
+      else
+        map_of_low_0_c_below_b_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) and map_of_low_0_c_below_b_value_5;
+      end if;
       map_of_low_0_c_below_b_value_6 := ((map_low_1_0 / 64) mod 2) = 1;
-      map_of_low_0_c_below_b_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) or map_of_low_0_c_below_b_value_6 when
-        map_of_low_0_c_below_b_choice_6 else (not (((map_low_2_0 / 64) mod 2) = 1)) and map_of_low_0_c_below_b_value_6;
+      if map_of_low_0_c_below_b_choice_6 then
+        map_of_low_0_c_below_b_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) or map_of_low_0_c_below_b_value_6;
+      else
+        map_of_low_0_c_below_b_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) and map_of_low_0_c_below_b_value_6;
+      end if;
       map_of_middle_0_b_below_a_value := ((map_largest_low_0 / 2) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice := not map_of_middle_0_b_below_a_value when (map_smallest_high_0 mod 2) = 1 else
-        (map_largest_low_0 mod 4) = 0;
-      map_of_middle_0_b_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not map_of_middle_0_b_below_a_value)
-        or (not ((map_largest_low_0 mod 2) = 1)) when map_of_low_0_b_below_a_value else
-        map_of_middle_0_b_below_a_choice;
+      if (map_smallest_high_0 mod 2) = 1 then
+        map_of_middle_0_b_below_a_choice := not map_of_middle_0_b_below_a_value;
+      else
+        map_of_middle_0_b_below_a_choice := (map_largest_low_0 mod 4) = 0;
+      end if;
+      if map_of_low_0_b_below_a_value then
+        map_of_middle_0_b_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not
+          map_of_middle_0_b_below_a_value) or (not ((map_largest_low_0 mod 2) = 1));
+      else
+        map_of_middle_0_b_below_a_choice_2 := map_of_middle_0_b_below_a_choice;
+      end if;
       map_of_middle_0_b_below_a_value_2 := ((map_largest_low_0 / 4) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
-        map_of_middle_0_b_below_a_value_2 when map_of_middle_0_b_below_a_choice_2 else (not (((map_smallest_high_0 / 4)
-        mod 2) = 1)) or map_of_middle_0_b_below_a_value_2;
+      if map_of_middle_0_b_below_a_choice_2 then
+        map_of_middle_0_b_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_2;
+      else
+        map_of_middle_0_b_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_2;
+      end if;
       map_of_middle_0_b_below_a_value_3 := ((map_largest_low_0 / 8) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) or
-        map_of_middle_0_b_below_a_value_3 when map_of_middle_0_b_below_a_choice_3 else (not (((map_smallest_high_0 / 8)
-        mod 2) = 1)) and map_of_middle_0_b_below_a_value_3;
+      if map_of_middle_0_b_below_a_choice_3 then
+        map_of_middle_0_b_below_a_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_3;
+      else
+        map_of_middle_0_b_below_a_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_3;
+      end if;
       map_of_middle_0_b_below_a_value_4 := ((map_largest_low_0 / 16) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) or
-        map_of_middle_0_b_below_a_value_4 when map_of_middle_0_b_below_a_choice_4 else (not (((map_smallest_high_0 /
-        16) mod 2) = 1)) and map_of_middle_0_b_below_a_value_4;
+      if map_of_middle_0_b_below_a_choice_4 then
+        map_of_middle_0_b_below_a_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_4;
+      else
+        map_of_middle_0_b_below_a_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_4;
+      end if;
       map_of_middle_0_b_below_a_value_5 := ((map_largest_low_0 / 32) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) or
-        map_of_middle_0_b_below_a_value_5 when map_of_middle_0_b_below_a_choice_5 else (not (((map_smallest_high_0 /
-        32) mod 2) = 1)) and map_of_middle_0_b_below_a_value_5;
+      if map_of_middle_0_b_below_a_choice_5 then
+        map_of_middle_0_b_below_a_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_5;
+      else
+        map_of_middle_0_b_below_a_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_5;
+      end if;
       map_of_middle_0_b_below_a_value_6 := ((map_largest_low_0 / 64) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) or
-        map_of_middle_0_b_below_a_value_6 when map_of_middle_0_b_below_a_choice_6 else (not (((map_smallest_high_0 /
-        64) mod 2) = 1)) and map_of_middle_0_b_below_a_value_6;
+      if map_of_middle_0_b_below_a_choice_6 then
+        map_of_middle_0_b_below_a_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_6;
+      else
+        map_of_middle_0_b_below_a_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_6;
+      end if;
       map_of_middle_0_c_below_a_value := ((map_middle_2_0 / 2) mod 2) = 1;
       map_of_middle_0_c_below_a_is_equal := (map_middle_0_0 mod 4) = 0;
-      map_of_middle_0_c_below_a_choice := not (((map_middle_0_0 / 2) mod 2) = 1) when (map_middle_2_0 mod 2) = 1 else
-        map_of_middle_0_c_below_a_is_equal;
-      map_of_middle_0_c_below_a_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not (((map_middle_0_0 / 2) mod 2) = 1)) or
-        (not ((map_middle_0_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_a_choice;
+      if (map_middle_2_0 mod 2) = 1 then
+        map_of_middle_0_c_below_a_choice := not (((map_middle_0_0 / 2) mod 2) = 1);
+      else
+        map_of_middle_0_c_below_a_choice := map_of_middle_0_c_below_a_is_equal;
+      end if;
+      if map_of_middle_0_c_below_a_value then
+        map_of_middle_0_c_below_a_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not (((map_middle_0_0 / 2) mod 2) = 1))
+          or (not ((map_middle_0_0 mod 2) = 1));
+      else
+        map_of_middle_0_c_below_a_choice_2 := map_of_middle_0_c_below_a_choice;
+      end if;
       map_of_middle_0_c_below_a_value_2 := ((map_middle_0_0 / 4) mod 2) = 1;
-      map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
-        map_of_middle_0_c_below_a_value_2 when map_of_middle_0_c_below_a_choice_2 else (not (((map_middle_2_0 / 4) mod
-        2) = 1)) or map_of_middle_0_c_below_a_value_2;
+      if map_of_middle_0_c_below_a_choice_2 then
+        map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+          map_of_middle_0_c_below_a_value_2;
+      else
+        map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) or
+          map_of_middle_0_c_below_a_value_2;
+      end if;
       map_of_middle_0_c_below_a_value_3 := ((map_middle_0_0 / 8) mod 2) = 1;
-      map_of_middle_0_c_below_a_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) or
-        map_of_middle_0_c_below_a_value_3 when map_of_middle_0_c_below_a_choice_3 else (not (((map_middle_2_0 / 8) mod
-        2) = 1)) and map_of_middle_0_c_below_a_value_3;
+      if map_of_middle_0_c_below_a_choice_3 then
+        map_of_middle_0_c_below_a_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) or
+          map_of_middle_0_c_below_a_value_3;
+      else
+        map_of_middle_0_c_below_a_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) and
+          map_of_middle_0_c_below_a_value_3;
+      end if;
       map_of_middle_0_c_below_a_value_4 := ((map_middle_0_0 / 16) mod 2) = 1;
-      map_of_middle_0_c_below_a_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) or
-        map_of_middle_0_c_below_a_value_4 when map_of_middle_0_c_below_a_choice_4 else (not (((map_middle_2_0 / 16) mod
-        2) = 1)) and map_of_middle_0_c_below_a_value_4;
+      if map_of_middle_0_c_below_a_choice_4 then
+        map_of_middle_0_c_below_a_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) or
+          map_of_middle_0_c_below_a_value_4;
+      else
+        map_of_middle_0_c_below_a_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) and
+          map_of_middle_0_c_below_a_value_4;
+      end if;
       map_of_middle_0_c_below_a_value_5 := ((map_middle_0_0 / 32) mod 2) = 1;
-      map_of_middle_0_c_below_a_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) or
-        map_of_middle_0_c_below_a_value_5 when map_of_middle_0_c_below_a_choice_5 else (not (((map_middle_2_0 / 32) mod
-        2) = 1)) and map_of_middle_0_c_below_a_value_5;
+      if map_of_middle_0_c_below_a_choice_5 then
+        map_of_middle_0_c_below_a_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) or
+          map_of_middle_0_c_below_a_value_5;
+      else
+        map_of_middle_0_c_below_a_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) and
+          map_of_middle_0_c_below_a_value_5;
+      end if;
       map_of_middle_0_c_below_a_value_6 := ((map_middle_0_0 / 64) mod 2) = 1;
-      map_of_middle_0_c_below_a_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) or
-        map_of_middle_0_c_below_a_value_6 when map_of_middle_0_c_below_a_choice_6 else (not (((map_middle_2_0 / 64) mod
-        2) = 1)) and map_of_middle_0_c_below_a_value_6;
+      if map_of_middle_0_c_below_a_choice_6 then
+        map_of_middle_0_c_below_a_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) or
+          map_of_middle_0_c_below_a_value_6;
+      else
+        map_of_middle_0_c_below_a_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) and
+          map_of_middle_0_c_below_a_value_6;
+      end if;
       map_of_middle_0_c_below_b_value := ((map_middle_1_0 / 2) mod 2) = 1;
-      map_of_middle_0_c_below_b_choice := not map_of_middle_0_c_below_b_value when (map_middle_2_0 mod 2) = 1 else
-        (map_middle_1_0 mod 4) = 0;
-      map_of_middle_0_c_below_b_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not map_of_middle_0_c_below_b_value) or
-        (not ((map_middle_1_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_b_choice;
+      if (map_middle_2_0 mod 2) = 1 then
+        map_of_middle_0_c_below_b_choice := not map_of_middle_0_c_below_b_value;
+      else
+        map_of_middle_0_c_below_b_choice := (map_middle_1_0 mod 4) = 0;
+      end if;
+      if map_of_middle_0_c_below_a_value then
+        map_of_middle_0_c_below_b_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not map_of_middle_0_c_below_b_value) or
+          (not ((map_middle_1_0 mod 2) = 1));
+      else
+        map_of_middle_0_c_below_b_choice_2 := map_of_middle_0_c_below_b_choice;
+      end if;
       map_of_middle_0_c_below_b_value_2 := ((map_middle_1_0 / 4) mod 2) = 1;
-      map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
-        map_of_middle_0_c_below_b_value_2 when map_of_middle_0_c_below_b_choice_2 else (not (((map_middle_2_0 / 4) mod
-        2) = 1)) or map_of_middle_0_c_below_b_value_2;
+      if map_of_middle_0_c_below_b_choice_2 then
+        map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+          map_of_middle_0_c_below_b_value_2;
+      else
+        map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) or
+          map_of_middle_0_c_below_b_value_2;
+      end if;
       map_of_middle_0_c_below_b_value_3 := ((map_middle_1_0 / 8) mod 2) = 1;
-      map_of_middle_0_c_below_b_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) or
-        map_of_middle_0_c_below_b_value_3 when map_of_middle_0_c_below_b_choice_3 else (not (((map_middle_2_0 / 8) mod
-        2) = 1)) and map_of_middle_0_c_below_b_value_3;
+      if map_of_middle_0_c_below_b_choice_3 then
+        map_of_middle_0_c_below_b_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) or
+          map_of_middle_0_c_below_b_value_3;
+      else
+        map_of_middle_0_c_below_b_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) and
+          map_of_middle_0_c_below_b_value_3;
+      end if;
       map_of_middle_0_c_below_b_value_4 := ((map_middle_1_0 / 16) mod 2) = 1;
-      map_of_middle_0_c_below_b_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) or
-        map_of_middle_0_c_below_b_value_4 when map_of_middle_0_c_below_b_choice_4 else (not (((map_middle_2_0 / 16) mod
-        2) = 1)) and map_of_middle_0_c_below_b_value_4;
+      if map_of_middle_0_c_below_b_choice_4 then
+        map_of_middle_0_c_below_b_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) or
+          map_of_middle_0_c_below_b_value_4;
+      else
+        map_of_middle_0_c_below_b_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) and
+          map_of_middle_0_c_below_b_value_4;
+      end if;
       map_of_middle_0_c_below_b_value_5 := ((map_middle_1_0 / 32) mod 2) = 1;
-      map_of_middle_0_c_below_b_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) or
-        map_of_middle_0_c_below_b_value_5 when map_of_middle_0_c_below_b_choice_5 else (not (((map_middle_2_0 / 32) mod
-        2) = 1)) and map_of_middle_0_c_below_b_value_5;
+      if map_of_middle_0_c_below_b_choice_5 then
+        map_of_middle_0_c_below_b_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) or
+          map_of_middle_0_c_below_b_value_5;
+      else
+        map_of_middle_0_c_below_b_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) and
+          map_of_middle_0_c_below_b_value_5;
+      end if;
       map_of_middle_0_c_below_b_value_6 := ((map_middle_1_0 / 64) mod 2) = 1;
-      map_of_middle_0_c_below_b_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) or
-        map_of_middle_0_c_below_b_value_6 when map_of_middle_0_c_below_b_choice_6 else (not (((map_middle_2_0 / 64) mod
-        2) = 1)) and map_of_middle_0_c_below_b_value_6;
+      if map_of_middle_0_c_below_b_choice_6 then
+        map_of_middle_0_c_below_b_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) or
+          map_of_middle_0_c_below_b_value_6;
+      else
+        map_of_middle_0_c_below_b_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) and
+          map_of_middle_0_c_below_b_value_6;
+      end if;
       map_of_high_0_b_below_a_value := ((map_high_0_0 / 2) mod 2) = 1;
-      map_of_high_0_b_below_a_choice := (not (((map_high_1_0 / 2) mod 2) = 1)) or (not ((map_high_1_0 mod 2) = 1)) when
-        (map_high_0_0 mod 2) = 1 else not (((map_high_1_0 / 2) mod 2) = 1);
+      if (map_high_0_0 mod 2) = 1 then
+        map_of_high_0_b_below_a_choice := (not (((map_high_1_0 / 2) mod 2) = 1)) or (not ((map_high_1_0 mod 2) = 1));
+      else
+        map_of_high_0_b_below_a_choice := not (((map_high_1_0 / 2) mod 2) = 1);
+      end if;
       map_of_high_0_b_below_a_is_equal := (map_high_1_0 mod 4) = 0;
-      map_of_high_0_b_below_a_choice_2 := map_of_high_0_b_below_a_choice when map_of_high_0_b_below_a_value else
-        ((map_high_0_0 mod 2) = 1) and map_of_high_0_b_below_a_is_equal;
+      if map_of_high_0_b_below_a_value then
+        map_of_high_0_b_below_a_choice_2 := map_of_high_0_b_below_a_choice;
+      else
+        map_of_high_0_b_below_a_choice_2 := ((map_high_0_0 mod 2) = 1) and map_of_high_0_b_below_a_is_equal;
+      end if;
       map_of_high_0_b_below_a_value_2 := ((map_high_0_0 / 4) mod 2) = 1;
       map_of_high_0_b_below_a_value_3 := ((map_high_1_0 / 4) mod 2) = 1;
-      map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) and map_of_high_0_b_below_a_value_3
-        when map_of_high_0_b_below_a_choice_2 else (not map_of_high_0_b_below_a_value_2) or
-        map_of_high_0_b_below_a_value_3;
+      if map_of_high_0_b_below_a_choice_2 then
+        map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) and map_of_high_0_b_below_a_value_3;
+      else
+        map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) or map_of_high_0_b_below_a_value_3;
+      end if;
       map_of_high_0_b_below_a_value_4 := ((map_high_0_0 / 8) mod 2) = 1;
       map_of_high_0_b_below_a_value_5 := ((map_high_1_0 / 8) mod 2) = 1;
-      map_of_high_0_b_below_a_choice_4 := (not map_of_high_0_b_below_a_value_4) or map_of_high_0_b_below_a_value_5 when
-        map_of_high_0_b_below_a_choice_3 else (not map_of_high_0_b_below_a_value_4) and map_of_high_0_b_below_a_value_5;
+      if map_of_high_0_b_below_a_choice_3 then
+        map_of_high_0_b_below_a_choice_4 := (not map_of_high_0_b_below_a_value_4) or map_of_high_0_b_below_a_value_5;
+      else
+        map_of_high_0_b_below_a_choice_4 := (not map_of_high_0_b_below_a_value_4) and map_of_high_0_b_below_a_value_5;
+      end if;
       map_of_high_0_b_below_a_value_6 := ((map_high_0_0 / 16) mod 2) = 1;
       map_of_high_0_b_below_a_value_7 := ((map_high_1_0 / 16) mod 2) = 1;
-      map_of_high_0_b_below_a_choice_5 := (not map_of_high_0_b_below_a_value_6) or map_of_high_0_b_below_a_value_7 when
-        map_of_high_0_b_below_a_choice_4 else (not map_of_high_0_b_below_a_value_6) and map_of_high_0_b_below_a_value_7;
+      if map_of_high_0_b_below_a_choice_4 then
+        map_of_high_0_b_below_a_choice_5 := (not map_of_high_0_b_below_a_value_6) or map_of_high_0_b_below_a_value_7;
+      else
+        map_of_high_0_b_below_a_choice_5 := (not map_of_high_0_b_below_a_value_6) and map_of_high_0_b_below_a_value_7;
+      end if;
       map_of_high_0_b_below_a_value_8 := ((map_high_0_0 / 32) mod 2) = 1;
       map_of_high_0_b_below_a_value_9 := ((map_high_1_0 / 32) mod 2) = 1;
-      map_of_high_0_b_below_a_choice_6 := (not map_of_high_0_b_below_a_value_8) or map_of_high_0_b_below_a_value_9 when
-        map_of_high_0_b_below_a_choice_5 else (not map_of_high_0_b_below_a_value_8) and map_of_high_0_b_below_a_value_9;
+      if map_of_high_0_b_below_a_choice_5 then
+        map_of_high_0_b_below_a_choice_6 := (not map_of_high_0_b_below_a_value_8) or map_of_high_0_b_below_a_value_9;
+      else
+        map_of_high_0_b_below_a_choice_6 := (not map_of_high_0_b_below_a_value_8) and map_of_high_0_b_below_a_value_9;
+      end if;
       map_of_high_0_b_below_a_value_10 := ((map_high_0_0 / 64) mod 2) = 1;
       map_of_high_0_b_below_a_value_11 := ((map_high_1_0 / 64) mod 2) = 1;
-      map_of_high_0_b_below_a_choice_7 := (not map_of_high_0_b_below_a_value_10) or map_of_high_0_b_below_a_value_11
-        when map_of_high_0_b_below_a_choice_6 else (not map_of_high_0_b_below_a_value_10) and
-        map_of_high_0_b_below_a_value_11;
+      if map_of_high_0_b_below_a_choice_6 then
+        map_of_high_0_b_below_a_choice_7 := (not map_of_high_0_b_below_a_value_10) or map_of_high_0_b_below_a_value_11;
+      else
+        map_of_high_0_b_below_a_choice_7 := (not map_of_high_0_b_below_a_value_10) and map_of_high_0_b_below_a_value_11;
+      end if;
       map_of_high_0_c_below_a_value := ((map_high_2_0 / 2) mod 2) = 1;
-      map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value when (map_high_2_0 mod 2) = 1 else
-        (map_high_0_0 mod 4) = 0;
-      map_of_high_0_c_below_a_choice_2 := ((map_high_2_0 mod 2) = 1) or (not map_of_high_0_b_below_a_value) or (not
-        ((map_high_0_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_a_choice;
-      map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_2
-        when map_of_high_0_c_below_a_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
-        map_of_high_0_b_below_a_value_2;
-      map_of_high_0_c_below_a_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) or map_of_high_0_b_below_a_value_4
-        when map_of_high_0_c_below_a_choice_3 else (not (((map_high_2_0 / 8) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_4;
-      map_of_high_0_c_below_a_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) or map_of_high_0_b_below_a_value_6
-        when map_of_high_0_c_below_a_choice_4 else (not (((map_high_2_0 / 16) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_6;
-      map_of_high_0_c_below_a_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) or map_of_high_0_b_below_a_value_8
-        when map_of_high_0_c_below_a_choice_5 else (not (((map_high_2_0 / 32) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_8;
-      map_of_high_0_c_below_a_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) or map_of_high_0_b_below_a_value_10
-        when map_of_high_0_c_below_a_choice_6 else (not (((map_high_2_0 / 64) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_10;
-      map_of_high_0_c_below_b_choice := not (((map_high_1_0 / 2) mod 2) = 1) when (map_high_2_0 mod 2) = 1 else
-        map_of_high_0_b_below_a_is_equal;
-      map_of_high_0_c_below_b_choice_2 := ((map_high_2_0 mod 2) = 1) or (not (((map_high_1_0 / 2) mod 2) = 1)) or (not
-        ((map_high_1_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_b_choice;
-      map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_3
-        when map_of_high_0_c_below_b_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
-        map_of_high_0_b_below_a_value_3;
-      map_of_high_0_c_below_b_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) or map_of_high_0_b_below_a_value_5
-        when map_of_high_0_c_below_b_choice_3 else (not (((map_high_2_0 / 8) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_5;
-      map_of_high_0_c_below_b_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) or map_of_high_0_b_below_a_value_7
-        when map_of_high_0_c_below_b_choice_4 else (not (((map_high_2_0 / 16) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_7;
-      map_of_high_0_c_below_b_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) or map_of_high_0_b_below_a_value_9
-        when map_of_high_0_c_below_b_choice_5 else (not (((map_high_2_0 / 32) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_9;
-      map_of_high_0_c_below_b_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) or map_of_high_0_b_below_a_value_11
-        when map_of_high_0_c_below_b_choice_6 else (not (((map_high_2_0 / 64) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_11;
-      map_largest_low_0_choice := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_2 := map_of_middle_0_a when map_of_middle_0_c_below_a else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_4 := map_of_middle_0_b when map_of_middle_0_c_below_b else
-        map_median_middle_0_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
-      map_of_all_0_b_below_a_choice := (not (((map_median_middle_0 / 2) mod 2) = 1)) or (not ((map_median_middle_0 mod
-        2) = 1)) when (map_largest_low_0 mod 2) = 1 else not (((map_median_middle_0 / 2) mod 2) = 1);
-      map_of_all_0_b_below_a_choice_2 := map_of_all_0_b_below_a_choice when map_of_middle_0_b_below_a_value else
-        ((map_largest_low_0 mod 2) = 1) and map_of_low_0_b_below_a_is_equal;
-      map_of_all_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) and map_of_low_0_b_below_a_value_2
-        when map_of_all_0_b_below_a_choice_2 else (not map_of_middle_0_b_below_a_value_2) or
-        map_of_low_0_b_below_a_value_2;
-      map_of_all_0_b_below_a_choice_4 := (not map_of_middle_0_b_below_a_value_3) or map_of_low_0_b_below_a_value_3 when
-        map_of_all_0_b_below_a_choice_3 else (not map_of_middle_0_b_below_a_value_3) and map_of_low_0_b_below_a_value_3;
-      map_of_all_0_b_below_a_choice_5 := (not map_of_middle_0_b_below_a_value_4) or map_of_low_0_b_below_a_value_4 when
-        map_of_all_0_b_below_a_choice_4 else (not map_of_middle_0_b_below_a_value_4) and map_of_low_0_b_below_a_value_4;
-      map_of_all_0_b_below_a_choice_6 := (not map_of_middle_0_b_below_a_value_5) or map_of_low_0_b_below_a_value_5 when
-        map_of_all_0_b_below_a_choice_5 else (not map_of_middle_0_b_below_a_value_5) and map_of_low_0_b_below_a_value_5;
-      map_of_all_0_b_below_a_choice_7 := (not map_of_middle_0_b_below_a_value_6) or map_of_low_0_b_below_a_value_6 when
-        map_of_all_0_b_below_a_choice_6 else (not map_of_middle_0_b_below_a_value_6) and map_of_low_0_b_below_a_value_6;
-      map_of_all_0_c_below_a_choice := (not (((map_middle_0_0 / 2) mod 2) = 1)) or (not ((map_middle_0_0 mod 2) = 1))
-        when (map_middle_1_0 mod 2) = 1 else not (((map_middle_0_0 / 2) mod 2) = 1);
-      map_of_all_0_c_below_a_choice_2 := map_of_all_0_c_below_a_choice when map_of_middle_0_c_below_b_value else
-        ((map_middle_1_0 mod 2) = 1) and map_of_middle_0_c_below_a_is_equal;
-      map_of_all_0_c_below_a_choice_3 := (not map_of_middle_0_c_below_b_value_2) and map_of_middle_0_c_below_a_value_2
-        when map_of_all_0_c_below_a_choice_2 else (not map_of_middle_0_c_below_b_value_2) or
-        map_of_middle_0_c_below_a_value_2;
-      map_of_all_0_c_below_a_choice_4 := (not map_of_middle_0_c_below_b_value_3) or map_of_middle_0_c_below_a_value_3
-        when map_of_all_0_c_below_a_choice_3 else (not map_of_middle_0_c_below_b_value_3) and
-        map_of_middle_0_c_below_a_value_3;
-      map_of_all_0_c_below_a_choice_5 := (not map_of_middle_0_c_below_b_value_4) or map_of_middle_0_c_below_a_value_4
-        when map_of_all_0_c_below_a_choice_4 else (not map_of_middle_0_c_below_b_value_4) and
-        map_of_middle_0_c_below_a_value_4;
-      map_of_all_0_c_below_a_choice_6 := (not map_of_middle_0_c_below_b_value_5) or map_of_middle_0_c_below_a_value_5
-        when map_of_all_0_c_below_a_choice_5 else (not map_of_middle_0_c_below_b_value_5) and
-        map_of_middle_0_c_below_a_value_5;
-      map_of_all_0_c_below_a_choice_7 := (not map_of_middle_0_c_below_b_value_6) or map_of_middle_0_c_below_a_value_6
-        when map_of_all_0_c_below_a_choice_6 else (not map_of_middle_0_c_below_b_value_6) and
-        map_of_middle_0_c_below_a_value_6;
-      map_of_all_0_c_below_b_choice := (not (((map_low_0_0 / 2) mod 2) = 1)) or (not ((map_low_0_0 mod 2) = 1)) when
-        (map_low_1_0 mod 2) = 1 else not (((map_low_0_0 / 2) mod 2) = 1);
-      map_of_all_0_c_below_b_choice_2 := map_of_all_0_c_below_b_choice when map_of_low_0_c_below_b_value else
-        ((map_low_1_0 mod 2) = 1) and map_of_low_0_c_below_a_is_equal;
-      map_of_all_0_c_below_b_choice_3 := (not map_of_low_0_c_below_b_value_2) and map_of_low_0_c_below_a_value_2 when
-        map_of_all_0_c_below_b_choice_2 else (not map_of_low_0_c_below_b_value_2) or map_of_low_0_c_below_a_value_2;
-      map_of_all_0_c_below_b_choice_4 := (not map_of_low_0_c_below_b_value_3) or map_of_low_0_c_below_a_value_3 when
-        map_of_all_0_c_below_b_choice_3 else (not map_of_low_0_c_below_b_value_3) and map_of_low_0_c_below_a_value_3;
-      map_of_all_0_c_below_b_choice_5 := (not map_of_low_0_c_below_b_value_4) or map_of_low_0_c_below_a_value_4 when
-        map_of_all_0_c_below_b_choice_4 else (not map_of_low_0_c_below_b_value_4) and map_of_low_0_c_below_a_value_4;
-      map_of_all_0_c_below_b_choice_6 := (not map_of_low_0_c_below_b_value_5) or map_of_low_0_c_below_a_value_5 when
-        map_of_all_0_c_below_b_choice_5 else (not map_of_low_0_c_below_b_value_5) and map_of_low_0_c_below_a_value_5;
-      map_of_all_0_c_below_b_choice_7 := (not map_of_low_0_c_below_b_value_6) or map_of_low_0_c_below_a_value_6 when
-        map_of_all_0_c_below_b_choice_6 else (not map_of_low_0_c_below_b_value_6) and map_of_low_0_c_below_a_value_6;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_middle_0_b_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_low_0_b_below_a else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_low_0_b_below_a else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_middle_0_b_below_a else map_out_disparity_0_choice_3;
-      map_counter_group <= map_counter_group_choice when other_1 and ((other_5 mod 2) = 1) else
-        map_counter_group_choice_3;
+      if (map_high_2_0 mod 2) = 1 then
+        map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value;
+      else
+        map_of_high_0_c_below_a_choice := (map_high_0_0 mod 4) = 0;
+      end if;
+      if map_of_high_0_c_below_a_value then
+        map_of_high_0_c_below_a_choice_2 := ((map_high_2_0 mod 2) = 1) or (not map_of_high_0_b_below_a_value) or (not
+          ((map_high_0_0 mod 2) = 1));
+      else
+        map_of_high_0_c_below_a_choice_2 := map_of_high_0_c_below_a_choice;
+      end if;
+      if map_of_high_0_c_below_a_choice_2 then
+        map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_2;
+      else
+        map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) or map_of_high_0_b_below_a_value_2;
+      end if;
+      if map_of_high_0_c_below_a_choice_3 then
+        map_of_high_0_c_below_a_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) or map_of_high_0_b_below_a_value_4;
+      else
+        map_of_high_0_c_below_a_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) and map_of_high_0_b_below_a_value_4;
+      end if;
+      if map_of_high_0_c_below_a_choice_4 then
+        map_of_high_0_c_below_a_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) or map_of_high_0_b_below_a_value_6;
+      else
+        map_of_high_0_c_below_a_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) and map_of_high_0_b_below_a_value_6;
+      end if;
+      if map_of_high_0_c_below_a_choice_5 then
+        map_of_high_0_c_below_a_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) or map_of_high_0_b_below_a_value_8;
+      else
+        map_of_high_0_c_below_a_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) and map_of_high_0_b_below_a_value_8;
+      end if;
+      if map_of_high_0_c_below_a_choice_6 then
+        map_of_high_0_c_below_a_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) or map_of_high_0_b_below_a_value_10;
+      else
+        map_of_high_0_c_below_a_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) and
+          map_of_high_0_b_below_a_value_10;
+      end if;
+      if (map_high_2_0 mod 2) = 1 then
+        map_of_high_0_c_below_b_choice := not (((map_high_1_0 / 2) mod 2) = 1);
+      else
+        map_of_high_0_c_below_b_choice := map_of_high_0_b_below_a_is_equal;
+      end if;
+      if map_of_high_0_c_below_a_value then
+        map_of_high_0_c_below_b_choice_2 := ((map_high_2_0 mod 2) = 1) or (not (((map_high_1_0 / 2) mod 2) = 1)) or
+          (not ((map_high_1_0 mod 2) = 1));
+      else
+        map_of_high_0_c_below_b_choice_2 := map_of_high_0_c_below_b_choice;
+      end if;
+      if map_of_high_0_c_below_b_choice_2 then
+        map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_3;
+      else
+        map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) or map_of_high_0_b_below_a_value_3;
+      end if;
+      if map_of_high_0_c_below_b_choice_3 then
+        map_of_high_0_c_below_b_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) or map_of_high_0_b_below_a_value_5;
+      else
+        map_of_high_0_c_below_b_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) and map_of_high_0_b_below_a_value_5;
+      end if;
+      if map_of_high_0_c_below_b_choice_4 then
+        map_of_high_0_c_below_b_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) or map_of_high_0_b_below_a_value_7;
+      else
+        map_of_high_0_c_below_b_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) and map_of_high_0_b_below_a_value_7;
+      end if;
+      if map_of_high_0_c_below_b_choice_5 then
+        map_of_high_0_c_below_b_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) or map_of_high_0_b_below_a_value_9;
+      else
+        map_of_high_0_c_below_b_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) and map_of_high_0_b_below_a_value_9;
+      end if;
+      if map_of_high_0_c_below_b_choice_6 then
+        map_of_high_0_c_below_b_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) or map_of_high_0_b_below_a_value_11;
+      else
+        map_of_high_0_c_below_b_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) and
+          map_of_high_0_b_below_a_value_11;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice := map_of_low_0_b;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice_2 := map_of_low_0_a;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_2 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_4 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
+      if (map_largest_low_0 mod 2) = 1 then
+        map_of_all_0_b_below_a_choice := (not (((map_median_middle_0 / 2) mod 2) = 1)) or (not ((map_median_middle_0
+          mod 2) = 1));
+      else
+        map_of_all_0_b_below_a_choice := not (((map_median_middle_0 / 2) mod 2) = 1);
+      end if;
+      if map_of_middle_0_b_below_a_value then
+        map_of_all_0_b_below_a_choice_2 := map_of_all_0_b_below_a_choice;
+      else
+        map_of_all_0_b_below_a_choice_2 := ((map_largest_low_0 mod 2) = 1) and map_of_low_0_b_below_a_is_equal;
+      end if;
+      if map_of_all_0_b_below_a_choice_2 then
+        map_of_all_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) and map_of_low_0_b_below_a_value_2;
+      else
+        map_of_all_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) or map_of_low_0_b_below_a_value_2;
+      end if;
+      if map_of_all_0_b_below_a_choice_3 then
+        map_of_all_0_b_below_a_choice_4 := (not map_of_middle_0_b_below_a_value_3) or map_of_low_0_b_below_a_value_3;
+      else
+        map_of_all_0_b_below_a_choice_4 := (not map_of_middle_0_b_below_a_value_3) and map_of_low_0_b_below_a_value_3;
+      end if;
+      if map_of_all_0_b_below_a_choice_4 then
+        map_of_all_0_b_below_a_choice_5 := (not map_of_middle_0_b_below_a_value_4) or map_of_low_0_b_below_a_value_4;
+      else
+        map_of_all_0_b_below_a_choice_5 := (not map_of_middle_0_b_below_a_value_4) and map_of_low_0_b_below_a_value_4;
+      end if;
+      if map_of_all_0_b_below_a_choice_5 then
+        map_of_all_0_b_below_a_choice_6 := (not map_of_middle_0_b_below_a_value_5) or map_of_low_0_b_below_a_value_5;
+      else
+        map_of_all_0_b_below_a_choice_6 := (not map_of_middle_0_b_below_a_value_5) and map_of_low_0_b_below_a_value_5;
+      end if;
+      if map_of_all_0_b_below_a_choice_6 then
+        map_of_all_0_b_below_a_choice_7 := (not map_of_middle_0_b_below_a_value_6) or map_of_low_0_b_below_a_value_6;
+      else
+        map_of_all_0_b_below_a_choice_7 := (not map_of_middle_0_b_below_a_value_6) and map_of_low_0_b_below_a_value_6;
+      end if;
+      if (map_middle_1_0 mod 2) = 1 then
+        map_of_all_0_c_below_a_choice := (not (((map_middle_0_0 / 2) mod 2) = 1)) or (not ((map_middle_0_0 mod 2) = 1));
+      else
+        map_of_all_0_c_below_a_choice := not (((map_middle_0_0 / 2) mod 2) = 1);
+      end if;
+      if map_of_middle_0_c_below_b_value then
+        map_of_all_0_c_below_a_choice_2 := map_of_all_0_c_below_a_choice;
+      else
+        map_of_all_0_c_below_a_choice_2 := ((map_middle_1_0 mod 2) = 1) and map_of_middle_0_c_below_a_is_equal;
+      end if;
+      if map_of_all_0_c_below_a_choice_2 then
+        map_of_all_0_c_below_a_choice_3 := (not map_of_middle_0_c_below_b_value_2) and
+          map_of_middle_0_c_below_a_value_2;
+      else
+        map_of_all_0_c_below_a_choice_3 := (not map_of_middle_0_c_below_b_value_2) or map_of_middle_0_c_below_a_value_2;
+      end if;
+      if map_of_all_0_c_below_a_choice_3 then
+        map_of_all_0_c_below_a_choice_4 := (not map_of_middle_0_c_below_b_value_3) or map_of_middle_0_c_below_a_value_3;
+      else
+        map_of_all_0_c_below_a_choice_4 := (not map_of_middle_0_c_below_b_value_3) and
+          map_of_middle_0_c_below_a_value_3;
+      end if;
+      if map_of_all_0_c_below_a_choice_4 then
+        map_of_all_0_c_below_a_choice_5 := (not map_of_middle_0_c_below_b_value_4) or map_of_middle_0_c_below_a_value_4;
+      else
+        map_of_all_0_c_below_a_choice_5 := (not map_of_middle_0_c_below_b_value_4) and
+          map_of_middle_0_c_below_a_value_4;
+      end if;
+      if map_of_all_0_c_below_a_choice_5 then
+        map_of_all_0_c_below_a_choice_6 := (not map_of_middle_0_c_below_b_value_5) or map_of_middle_0_c_below_a_value_5;
+      else
+        map_of_all_0_c_below_a_choice_6 := (not map_of_middle_0_c_below_b_value_5) and
+          map_of_middle_0_c_below_a_value_5;
+      end if;
+      if map_of_all_0_c_below_a_choice_6 then
+        map_of_all_0_c_below_a_choice_7 := (not map_of_middle_0_c_below_b_value_6) or map_of_middle_0_c_below_a_value_6;
+      else
+        map_of_all_0_c_below_a_choice_7 := (not map_of_middle_0_c_below_b_value_6) and
+          map_of_middle_0_c_below_a_value_6;
+      end if;
+      if (map_low_1_0 mod 2) = 1 then
+        map_of_all_0_c_below_b_choice := (not (((map_low_0_0 / 2) mod 2) = 1)) or (not ((map_low_0_0 mod 2) = 1));
+      else
+        map_of_all_0_c_below_b_choice := not (((map_low_0_0 / 2) mod 2) = 1);
+      end if;
+      if map_of_low_0_c_below_b_value then
+        map_of_all_0_c_below_b_choice_2 := map_of_all_0_c_below_b_choice;
+      else
+        map_of_all_0_c_below_b_choice_2 := ((map_low_1_0 mod 2) = 1) and map_of_low_0_c_below_a_is_equal;
+      end if;
+      if map_of_all_0_c_below_b_choice_2 then
+        map_of_all_0_c_below_b_choice_3 := (not map_of_low_0_c_below_b_value_2) and map_of_low_0_c_below_a_value_2;
+      else
+        map_of_all_0_c_below_b_choice_3 := (not map_of_low_0_c_below_b_value_2) or map_of_low_0_c_below_a_value_2;
+      end if;
+      if map_of_all_0_c_below_b_choice_3 then
+        map_of_all_0_c_below_b_choice_4 := (not map_of_low_0_c_below_b_value_3) or map_of_low_0_c_below_a_value_3;
+      else
+        map_of_all_0_c_below_b_choice_4 := (not map_of_low_0_c_below_b_value_3) and map_of_low_0_c_below_a_value_3;
+      end if;
+      if map_of_all_0_c_below_b_choice_4 then
+        map_of_all_0_c_below_b_choice_5 := (not map_of_low_0_c_below_b_value_4) or map_of_low_0_c_below_a_value_4;
+      else
+        map_of_all_0_c_below_b_choice_5 := (not map_of_low_0_c_below_b_value_4) and map_of_low_0_c_below_a_value_4;
+      end if;
+      if map_of_all_0_c_below_b_choice_5 then
+        map_of_all_0_c_below_b_choice_6 := (not map_of_low_0_c_below_b_value_5) or map_of_low_0_c_below_a_value_5;
+      else
+        map_of_all_0_c_below_b_choice_6 := (not map_of_low_0_c_below_b_value_5) and map_of_low_0_c_below_a_value_5;
+      end if;
+      if map_of_all_0_c_below_b_choice_6 then
+        map_of_all_0_c_below_b_choice_7 := (not map_of_low_0_c_below_b_value_6) or map_of_low_0_c_below_a_value_6;
+      else
+        map_of_all_0_c_below_b_choice_7 := (not map_of_low_0_c_below_b_value_6) and map_of_low_0_c_below_a_value_6;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_low_0_b_below_a then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_low_0_b_below_a then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
       map_newest_0 <= (fill_out_disparity_0 * 2) + as_number(fill_out_passed_0);
       map_arrives <= other_1;
       map_behind <= map_line_ended and lastwinner4_tag_valid;
-      map_line_ended <= map_line_ended_choice when fill_out_tag_map_column else (not lastwinner4_tag_valid) and
-        map_line_ended;
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -5656,18 +8525,7 @@ begin
       map_at_top <= to_integer(other_2(32 downto 32)) = 1;
       map_at_bottom <= to_integer(other_2(40 downto 40)) = 1;
       map_at_output <= to_integer(other_2(48 downto 48)) = 1;
-      map_of_column_0_a <= map_column_1 / 2 when map_at_top else other_3 / 2;
       map_of_column_0_b <= map_column_1 / 2;
-      map_of_column_0_c <= map_column_1 / 2 when map_at_bottom else map_column_2 / 2;
-      map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) or ((other_3 / 256) = 1) or map_at_top when
-        map_of_column_0_b_below_a_choice_9 else (not ((map_column_1 / 256) = 1)) and ((other_3 / 256) = 1) and (not
-        map_at_top);
-      map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_19) or map_of_column_0_c_below_a_choice_20
-        when map_of_column_0_c_below_a_choice_18 else (not map_of_column_0_c_below_a_choice_19) and
-        map_of_column_0_c_below_a_choice_20;
-      map_of_column_0_c_below_b <= (not ((map_column_2 / 256) = 1)) or ((map_column_1 / 256) = 1) or map_at_bottom when
-        map_of_column_0_c_below_b_choice_6 else (not ((map_column_2 / 256) = 1)) and ((map_column_1 / 256) = 1) and
-        (not map_at_bottom);
       map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
       map_column_passed_1_0 <= map_column_passed_0_0;
       map_comparing_column <= map_write_column;
@@ -5680,57 +8538,20 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
-        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
-      map_window_complete <= map_sorted_output and map_sorted_behind when map_window_complete_is_equal else
-        map_sorted_output and (map_sorted_arrives or map_sorted_behind);
       map_window_first <= map_sorted_top and map_sorted_arrives and (map_sorted_column = 1);
       map_window_last <= map_sorted_behind;
       map_of_low_0_a <= map_low_0_0;
       map_of_low_0_b <= map_low_1_0;
       map_of_low_0_c <= map_low_2_0;
-      map_of_low_0_b_below_a <= (not ((map_smallest_high_0 / 128) = 1)) or ((map_median_middle_0 / 128) = 1) when
-        map_of_low_0_b_below_a_choice_7 else (not ((map_smallest_high_0 / 128) = 1)) and ((map_median_middle_0 / 128) =
-        1);
-      map_of_low_0_c_below_a <= (not ((map_low_2_0 / 128) = 1)) or ((map_low_0_0 / 128) = 1) when
-        map_of_low_0_c_below_a_choice_7 else (not ((map_low_2_0 / 128) = 1)) and ((map_low_0_0 / 128) = 1);
-      map_of_low_0_c_below_b <= (not ((map_low_2_0 / 128) = 1)) or ((map_low_1_0 / 128) = 1) when
-        map_of_low_0_c_below_b_choice_7 else (not ((map_low_2_0 / 128) = 1)) and ((map_low_1_0 / 128) = 1);
       map_of_middle_0_a <= map_middle_0_0;
       map_of_middle_0_b <= map_middle_1_0;
       map_of_middle_0_c <= map_middle_2_0;
-      map_of_middle_0_b_below_a <= (not ((map_smallest_high_0 / 128) = 1)) or ((map_largest_low_0 / 128) = 1) when
-        map_of_middle_0_b_below_a_choice_7 else (not ((map_smallest_high_0 / 128) = 1)) and ((map_largest_low_0 / 128)
-        = 1);
-      map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 128) = 1)) or ((map_middle_0_0 / 128) = 1) when
-        map_of_middle_0_c_below_a_choice_7 else (not ((map_middle_2_0 / 128) = 1)) and ((map_middle_0_0 / 128) = 1);
-      map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 128) = 1)) or ((map_middle_1_0 / 128) = 1) when
-        map_of_middle_0_c_below_b_choice_7 else (not ((map_middle_2_0 / 128) = 1)) and ((map_middle_1_0 / 128) = 1);
       map_of_high_0_a <= map_high_0_0;
       map_of_high_0_b <= map_high_1_0;
       map_of_high_0_c <= map_high_2_0;
-      map_of_high_0_b_below_a <= ((map_high_0_0 / 128) = 1) and (not ((map_high_1_0 / 128) = 1)) when
-        map_of_high_0_b_below_a_choice_7 else ((map_high_0_0 / 128) = 1) or (not ((map_high_1_0 / 128) = 1));
-      map_of_high_0_c_below_a <= (not ((map_high_2_0 / 128) = 1)) or ((map_high_0_0 / 128) = 1) when
-        map_of_high_0_c_below_a_choice_7 else (not ((map_high_2_0 / 128) = 1)) and ((map_high_0_0 / 128) = 1);
-      map_of_high_0_c_below_b <= (not ((map_high_2_0 / 128) = 1)) or ((map_high_1_0 / 128) = 1) when
-        map_of_high_0_c_below_b_choice_7 else (not ((map_high_2_0 / 128) = 1)) and ((map_high_1_0 / 128) = 1);
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_all_0_c_below_b else map_largest_low_0_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_all_0_c_below_a else map_median_middle_0_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
-      map_of_all_0_b_below_a <= ((map_largest_low_0 / 128) = 1) and (not ((map_median_middle_0 / 128) = 1)) when
-        map_of_all_0_b_below_a_choice_7 else ((map_largest_low_0 / 128) = 1) or (not ((map_median_middle_0 / 128) = 1));
-      map_of_all_0_c_below_a <= ((map_middle_1_0 / 128) = 1) and (not ((map_middle_0_0 / 128) = 1)) when
-        map_of_all_0_c_below_a_choice_7 else ((map_middle_1_0 / 128) = 1) or (not ((map_middle_0_0 / 128) = 1));
-      map_of_all_0_c_below_b <= ((map_low_1_0 / 128) = 1) and (not ((map_low_0_0 / 128) = 1)) when
-        map_of_all_0_c_below_b_choice_7 else ((map_low_1_0 / 128) = 1) or (not ((map_low_0_0 / 128) = 1));
       map_waiting_0_complete <= map_window_complete;
       map_waiting_0_first <= map_window_first;
       map_waiting_0_last <= map_window_last;
@@ -5743,30 +8564,182 @@ begin
       map_waiting_passed_0_0 <= map_passed_1_0;
       map_waiting_passed_1_0 <= map_waiting_passed_0_0;
       map_waiting_passed_2_0 <= map_waiting_passed_1_0;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if other_1 and ((other_5 mod 2) = 1) then
+        map_counter_group <= map_counter_group_choice;
+      else
+        map_counter_group <= map_counter_group_choice_3;
+      end if;
+      if fill_out_tag_map_column then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= (not lastwinner4_tag_valid) and map_line_ended;
+      end if;
+      if map_at_top then
+        map_of_column_0_a <= map_column_1 / 2;
+      else
+        map_of_column_0_a <= other_3 / 2;
+      end if;
+      if map_at_bottom then
+        map_of_column_0_c <= map_column_1 / 2;
+      else
+        map_of_column_0_c <= map_column_2 / 2;
+      end if;
+      if map_of_column_0_b_below_a_choice_9 then
+        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) or ((other_3 / 256) = 1) or map_at_top;
+      else
+        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) and ((other_3 / 256) = 1) and (not map_at_top);
+      end if;
+      if map_of_column_0_c_below_a_choice_18 then
+        map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_19) or map_of_column_0_c_below_a_choice_20;
+      else
+        map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_19) and map_of_column_0_c_below_a_choice_20;
+      end if;
+      if map_of_column_0_c_below_b_choice_6 then
+        map_of_column_0_c_below_b <= (not ((map_column_2 / 256) = 1)) or ((map_column_1 / 256) = 1) or map_at_bottom;
+      else
+        map_of_column_0_c_below_b <= (not ((map_column_2 / 256) = 1)) and ((map_column_1 / 256) = 1) and (not
+          map_at_bottom);
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_passed_0_0 then
+        map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind;
+      else
+        map_passed_1_0 <= map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      end if;
+      if map_window_complete_is_equal then
+        map_window_complete <= map_sorted_output and map_sorted_behind;
+      else
+        map_window_complete <= map_sorted_output and (map_sorted_arrives or map_sorted_behind);
+      end if;
+      if map_of_low_0_b_below_a_choice_7 then
+        map_of_low_0_b_below_a <= (not ((map_smallest_high_0 / 128) = 1)) or ((map_median_middle_0 / 128) = 1);
+      else
+        map_of_low_0_b_below_a <= (not ((map_smallest_high_0 / 128) = 1)) and ((map_median_middle_0 / 128) = 1);
+      end if;
+      if map_of_low_0_c_below_a_choice_7 then
+        map_of_low_0_c_below_a <= (not ((map_low_2_0 / 128) = 1)) or ((map_low_0_0 / 128) = 1);
+      else
+        map_of_low_0_c_below_a <= (not ((map_low_2_0 / 128) = 1)) and ((map_low_0_0 / 128) = 1);
+      end if;
+      if map_of_low_0_c_below_b_choice_7 then
+        map_of_low_0_c_below_b <= (not ((map_low_2_0 / 128) = 1)) or ((map_low_1_0 / 128) = 1);
+      else
+        map_of_low_0_c_below_b <= (not ((map_low_2_0 / 128) = 1)) and ((map_low_1_0 / 128) = 1);
+      end if;
+      if map_of_middle_0_b_below_a_choice_7 then
+        map_of_middle_0_b_below_a <= (not ((map_smallest_high_0 / 128) = 1)) or ((map_largest_low_0 / 128) = 1);
+      else
+        map_of_middle_0_b_below_a <= (not ((map_smallest_high_0 / 128) = 1)) and ((map_largest_low_0 / 128) = 1);
+      end if;
+      if map_of_middle_0_c_below_a_choice_7 then
+        map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 128) = 1)) or ((map_middle_0_0 / 128) = 1);
+      else
+        map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 128) = 1)) and ((map_middle_0_0 / 128) = 1);
+      end if;
+      if map_of_middle_0_c_below_b_choice_7 then
+        map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 128) = 1)) or ((map_middle_1_0 / 128) = 1);
+      else
+        map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 128) = 1)) and ((map_middle_1_0 / 128) = 1);
+      end if;
+      if map_of_high_0_b_below_a_choice_7 then
+        map_of_high_0_b_below_a <= ((map_high_0_0 / 128) = 1) and (not ((map_high_1_0 / 128) = 1));
+      else
+        map_of_high_0_b_below_a <= ((map_high_0_0 / 128) = 1) or (not ((map_high_1_0 / 128) = 1));
+      end if;
+      if map_of_high_0_c_below_a_choice_7 then
+        map_of_high_0_c_below_a <= (not ((map_high_2_0 / 128) = 1)) or ((map_high_0_0 / 128) = 1);
+      else
+        map_of_high_0_c_below_a <= (not ((map_high_2_0 / 128) = 1)) and ((map_high_0_0 / 128) = 1);
+      end if;
+      if map_of_high_0_c_below_b_choice_7 then
+        map_of_high_0_c_below_b <= (not ((map_high_2_0 / 128) = 1)) or ((map_high_1_0 / 128) = 1);
+      else
+        map_of_high_0_c_below_b <= (not ((map_high_2_0 / 128) = 1)) and ((map_high_1_0 / 128) = 1);
+      end if;
+      if map_of_all_0_c_below_b then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_all_0_b_below_a_choice_7 then
+        map_of_all_0_b_below_a <= ((map_largest_low_0 / 128) = 1) and (not ((map_median_middle_0 / 128) = 1));
+      else
+        map_of_all_0_b_below_a <= ((map_largest_low_0 / 128) = 1) or (not ((map_median_middle_0 / 128) = 1));
+      end if;
+      if map_of_all_0_c_below_a_choice_7 then
+        map_of_all_0_c_below_a <= ((map_middle_1_0 / 128) = 1) and (not ((map_middle_0_0 / 128) = 1));
+      else
+        map_of_all_0_c_below_a <= ((map_middle_1_0 / 128) = 1) or (not ((map_middle_0_0 / 128) = 1));
+      end if;
+      if map_of_all_0_c_below_b_choice_7 then
+        map_of_all_0_c_below_b <= ((map_low_1_0 / 128) = 1) and (not ((map_low_0_0 / 128) = 1));
+      else
+        map_of_all_0_c_below_b <= ((map_low_1_0 / 128) = 1) or (not ((map_low_0_0 / 128) = 1));
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 512) + (map_rows_ready_newest_0 * 512);
         map_at_column <= to_integer(other_2(4 downto 0));
       end if;
       map_low_0_0_all := map_sorted_arrives and map_window_complete_is_equal;
-      map_low_0_0_choice := map_low_1_0 when map_sorted_behind else map_sorted_low_0;
-      map_middle_0_0_choice := map_middle_1_0 when map_sorted_behind else map_sorted_middle_0;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_1_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_1_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
       map_low_0_0_all_2 := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_0_all_2 then
-        map_low_0_0 <= map_low_0_0_choice when map_low_0_0_all else map_low_1_0;
         map_low_1_0 <= map_low_0_0_choice;
         map_low_2_0 <= map_low_0_0;
-        map_middle_0_0 <= map_middle_0_0_choice when map_low_0_0_all else map_middle_1_0;
         map_middle_1_0 <= map_middle_0_0_choice;
         map_middle_2_0 <= map_middle_0_0;
         map_high_0_0 <= map_high_0_0_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_low_0_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
+        if map_low_0_0_all then
+          map_low_0_0 <= map_low_0_0_choice;
+          map_middle_0_0 <= map_middle_0_0_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+        else
+          map_low_0_0 <= map_low_1_0;
+          map_middle_0_0 <= map_middle_1_0;
+          map_high_1_0 <= map_high_0_0;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;

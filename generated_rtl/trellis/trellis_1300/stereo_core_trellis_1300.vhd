@@ -1652,125 +1652,197 @@ architecture rtl of stereo_core_trellis_1300 is
   signal other_1, other_3 : unsigned(48 downto 0);
   signal other_2 : natural range 0 to 510;
   signal other_4, other_5, other_6, other_7 : natural range 0 to 257;
+  signal transform_left_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_left_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
+  signal transform_left_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
   signal transform_left_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal transform_right_rows_read_words_0_memory_read_enable : boolean;
+  signal transform_right_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
+  signal transform_right_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
   signal transform_right_rows_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal map_rows_read_words_0_memory_read_enable : boolean;
+  signal map_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
+  signal map_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
   signal map_rows_read_words_0_memory_write_data : unsigned(17 downto 0);
+  signal turn_read_words_0_memory_read_enable : boolean;
+  signal turn_read_words_0_memory_read_address : unsigned(10 downto 0);
+  signal turn_read_words_0_memory_write_address : unsigned(10 downto 0);
   signal turn_read_words_0_memory_write_data : unsigned(8 downto 0);
+  signal decisions_read_words_3_memory_read_enable : boolean;
+  signal decisions_read_words_3_memory_read_address : unsigned(10 downto 0);
+  signal decisions_read_words_3_memory_write_address : unsigned(10 downto 0);
   signal decisions_read_words_3_memory_write_data : unsigned(31 downto 0);
+  signal decisions_read_words_2_memory_read_enable : boolean;
+  signal decisions_read_words_2_memory_read_address : unsigned(10 downto 0);
+  signal decisions_read_words_2_memory_write_address : unsigned(10 downto 0);
   signal decisions_read_words_2_memory_write_data : unsigned(31 downto 0);
+  signal decisions_read_words_1_memory_read_enable : boolean;
+  signal decisions_read_words_1_memory_read_address : unsigned(10 downto 0);
+  signal decisions_read_words_1_memory_write_address : unsigned(10 downto 0);
   signal decisions_read_words_1_memory_write_data : unsigned(31 downto 0);
+  signal decisions_read_words_0_memory_read_enable : boolean;
+  signal decisions_read_words_0_memory_read_address : unsigned(10 downto 0);
+  signal decisions_read_words_0_memory_write_address : unsigned(10 downto 0);
   signal decisions_read_words_0_memory_write_data : unsigned(31 downto 0);
+  signal rows_search_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_1_memory_read_address : unsigned(10 downto 0);
+  signal rows_search_rows_read_words_1_memory_write_address : unsigned(10 downto 0);
   signal rows_search_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_search_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_search_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
+  signal rows_search_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
   signal rows_search_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_1_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_1_memory_read_address : unsigned(10 downto 0);
+  signal rows_reference_rows_read_words_1_memory_write_address : unsigned(10 downto 0);
   signal rows_reference_rows_read_words_1_memory_write_data : unsigned(23 downto 0);
+  signal rows_reference_rows_read_words_0_memory_read_enable : boolean;
+  signal rows_reference_rows_read_words_0_memory_read_address : unsigned(10 downto 0);
+  signal rows_reference_rows_read_words_0_memory_write_address : unsigned(10 downto 0);
   signal rows_reference_rows_read_words_0_memory_write_data : unsigned(23 downto 0);
 
 begin
   in_valid <= valid = '1';
   in_start_of_frame <= start_of_frame = '1';
-  in_right_pixel <= to_integer(unsigned(right_pixel));
-  in_left_pixel <= to_integer(unsigned(left_pixel));
+  in_right_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(right_pixel))));
+  in_left_pixel <= to_integer(unsigned(to_stdlogicvector(to_bitvector(left_pixel))));
   disparity <= std_logic_vector(to_unsigned(map_out_disparity_0, 8));
   pixel_valid <= std_logic_vector(to_unsigned(as_number(map_out_passed_0), 1));
   disparity_valid <= as_bit(map_out_valid);
   disparity_start_of_frame <= as_bit(map_out_start_of_frame);
   disparity_end_of_line <= as_bit(map_out_end_of_line);
 
+  transform_left_rows_read_words_0_memory_read_enable <= true;
+  transform_left_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 11);
+  transform_left_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 11);
   transform_left_rows_read_words_0_memory_write_data <= transform_left_rows_write_words_0;
   transform_left_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1300, width => 32)
+    generic map (depth => 1300, width => 32, address_bits => 11)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_left_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_left_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_left_rows_read_words_0_memory_read_enable,
+      read_address => transform_left_rows_read_words_0_memory_read_address, read_data => transform_left_rows_read_words_0,
+      write_address => transform_left_rows_read_words_0_memory_write_address, write_data => transform_left_rows_read_words_0_memory_write_data);
 
+  transform_right_rows_read_words_0_memory_read_enable <= true;
+  transform_right_rows_read_words_0_memory_read_address <= to_unsigned(transform_counter_column, 11);
+  transform_right_rows_read_words_0_memory_write_address <= to_unsigned(transform_write_column, 11);
   transform_right_rows_read_words_0_memory_write_data <= transform_right_rows_write_words_0;
   transform_right_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1300, width => 32)
+    generic map (depth => 1300, width => 32, address_bits => 11)
     port map (
-      clock => clock, read_enable => true,
-      read_address => transform_counter_column, read_data => transform_right_rows_read_words_0,
-      write_address => transform_write_column, write_data => transform_right_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => transform_right_rows_read_words_0_memory_read_enable,
+      read_address => transform_right_rows_read_words_0_memory_read_address, read_data => transform_right_rows_read_words_0,
+      write_address => transform_right_rows_read_words_0_memory_write_address, write_data => transform_right_rows_read_words_0_memory_write_data);
 
+  map_rows_read_words_0_memory_read_enable <= true;
+  map_rows_read_words_0_memory_read_address <= to_unsigned(map_counter_column, 11);
+  map_rows_read_words_0_memory_write_address <= to_unsigned(map_at_column, 11);
   map_rows_read_words_0_memory_write_data <= to_unsigned(map_rows_write_words_0, 18);
   map_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1237, width => 18)
+    generic map (depth => 1237, width => 18, address_bits => 11)
     port map (
-      clock => clock, read_enable => true,
-      read_address => map_counter_column, read_data => map_rows_read_words_0,
-      write_address => map_at_column, write_data => map_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => map_rows_read_words_0_memory_read_enable,
+      read_address => map_rows_read_words_0_memory_read_address, read_data => map_rows_read_words_0,
+      write_address => map_rows_read_words_0_memory_write_address, write_data => map_rows_read_words_0_memory_write_data);
 
+  turn_read_words_0_memory_read_enable <= true;
+  turn_read_words_0_memory_read_address <= to_unsigned(turn_order_address, 11);
+  turn_read_words_0_memory_write_address <= to_unsigned(turn_write_place, 11);
   turn_read_words_0_memory_write_data <= to_unsigned(turn_write_words_0, 9);
   turn_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1237, width => 9)
+    generic map (depth => 1237, width => 9, address_bits => 11)
     port map (
-      clock => clock, read_enable => true,
-      read_address => turn_order_address, read_data => turn_read_words_0,
-      write_address => turn_write_place, write_data => turn_read_words_0_memory_write_data);
+      clock => clock, read_enable => turn_read_words_0_memory_read_enable,
+      read_address => turn_read_words_0_memory_read_address, read_data => turn_read_words_0,
+      write_address => turn_read_words_0_memory_write_address, write_data => turn_read_words_0_memory_write_data);
 
+  decisions_read_words_3_memory_read_enable <= true;
+  decisions_read_words_3_memory_read_address <= to_unsigned(entry_order_address, 11);
+  decisions_read_words_3_memory_write_address <= to_unsigned(decisions_write_place, 11);
   decisions_read_words_3_memory_write_data <= decisions_write_words_3;
   decisions_read_words_3_memory : entity work.line_memory
-    generic map (depth => 1237, width => 32)
+    generic map (depth => 1237, width => 32, address_bits => 11)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => decisions_read_words_3,
-      write_address => decisions_write_place, write_data => decisions_read_words_3_memory_write_data);
+      clock => clock, read_enable => decisions_read_words_3_memory_read_enable,
+      read_address => decisions_read_words_3_memory_read_address, read_data => decisions_read_words_3,
+      write_address => decisions_read_words_3_memory_write_address, write_data => decisions_read_words_3_memory_write_data);
 
+  decisions_read_words_2_memory_read_enable <= true;
+  decisions_read_words_2_memory_read_address <= to_unsigned(entry_order_address, 11);
+  decisions_read_words_2_memory_write_address <= to_unsigned(decisions_write_place, 11);
   decisions_read_words_2_memory_write_data <= decisions_write_words_2;
   decisions_read_words_2_memory : entity work.line_memory
-    generic map (depth => 1237, width => 32)
+    generic map (depth => 1237, width => 32, address_bits => 11)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => decisions_read_words_2,
-      write_address => decisions_write_place, write_data => decisions_read_words_2_memory_write_data);
+      clock => clock, read_enable => decisions_read_words_2_memory_read_enable,
+      read_address => decisions_read_words_2_memory_read_address, read_data => decisions_read_words_2,
+      write_address => decisions_read_words_2_memory_write_address, write_data => decisions_read_words_2_memory_write_data);
 
+  decisions_read_words_1_memory_read_enable <= true;
+  decisions_read_words_1_memory_read_address <= to_unsigned(entry_order_address, 11);
+  decisions_read_words_1_memory_write_address <= to_unsigned(decisions_write_place, 11);
   decisions_read_words_1_memory_write_data <= decisions_write_words_1;
   decisions_read_words_1_memory : entity work.line_memory
-    generic map (depth => 1237, width => 32)
+    generic map (depth => 1237, width => 32, address_bits => 11)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => decisions_read_words_1,
-      write_address => decisions_write_place, write_data => decisions_read_words_1_memory_write_data);
+      clock => clock, read_enable => decisions_read_words_1_memory_read_enable,
+      read_address => decisions_read_words_1_memory_read_address, read_data => decisions_read_words_1,
+      write_address => decisions_read_words_1_memory_write_address, write_data => decisions_read_words_1_memory_write_data);
 
+  decisions_read_words_0_memory_read_enable <= true;
+  decisions_read_words_0_memory_read_address <= to_unsigned(entry_order_address, 11);
+  decisions_read_words_0_memory_write_address <= to_unsigned(decisions_write_place, 11);
   decisions_read_words_0_memory_write_data <= decisions_write_words_0;
   decisions_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1237, width => 32)
+    generic map (depth => 1237, width => 32, address_bits => 11)
     port map (
-      clock => clock, read_enable => true,
-      read_address => entry_order_address, read_data => decisions_read_words_0,
-      write_address => decisions_write_place, write_data => decisions_read_words_0_memory_write_data);
+      clock => clock, read_enable => decisions_read_words_0_memory_read_enable,
+      read_address => decisions_read_words_0_memory_read_address, read_data => decisions_read_words_0,
+      write_address => decisions_read_words_0_memory_write_address, write_data => decisions_read_words_0_memory_write_data);
 
+  rows_search_rows_read_words_1_memory_read_enable <= true;
+  rows_search_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 11);
+  rows_search_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 11);
   rows_search_rows_read_words_1_memory_write_data <= to_unsigned(rows_search_rows_write_words_1, 24);
   rows_search_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 1300, width => 24)
+    generic map (depth => 1300, width => 24, address_bits => 11)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_1_memory_read_enable,
+      read_address => rows_search_rows_read_words_1_memory_read_address, read_data => rows_search_rows_read_words_1,
+      write_address => rows_search_rows_read_words_1_memory_write_address, write_data => rows_search_rows_read_words_1_memory_write_data);
 
+  rows_search_rows_read_words_0_memory_read_enable <= true;
+  rows_search_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 11);
+  rows_search_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 11);
   rows_search_rows_read_words_0_memory_write_data <= to_unsigned(rows_search_rows_write_words_0, 24);
   rows_search_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1300, width => 24)
+    generic map (depth => 1300, width => 24, address_bits => 11)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_search_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_search_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_search_rows_read_words_0_memory_read_enable,
+      read_address => rows_search_rows_read_words_0_memory_read_address, read_data => rows_search_rows_read_words_0,
+      write_address => rows_search_rows_read_words_0_memory_write_address, write_data => rows_search_rows_read_words_0_memory_write_data);
 
+  rows_reference_rows_read_words_1_memory_read_enable <= true;
+  rows_reference_rows_read_words_1_memory_read_address <= to_unsigned(delay_column, 11);
+  rows_reference_rows_read_words_1_memory_write_address <= to_unsigned(rows_write_column, 11);
   rows_reference_rows_read_words_1_memory_write_data <= to_unsigned(rows_reference_rows_write_words_1, 24);
   rows_reference_rows_read_words_1_memory : entity work.line_memory
-    generic map (depth => 1300, width => 24)
+    generic map (depth => 1300, width => 24, address_bits => 11)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_1,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_1_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_1_memory_read_enable,
+      read_address => rows_reference_rows_read_words_1_memory_read_address, read_data => rows_reference_rows_read_words_1,
+      write_address => rows_reference_rows_read_words_1_memory_write_address, write_data => rows_reference_rows_read_words_1_memory_write_data);
 
+  rows_reference_rows_read_words_0_memory_read_enable <= true;
+  rows_reference_rows_read_words_0_memory_read_address <= to_unsigned(delay_column, 11);
+  rows_reference_rows_read_words_0_memory_write_address <= to_unsigned(rows_write_column, 11);
   rows_reference_rows_read_words_0_memory_write_data <= to_unsigned(rows_reference_rows_write_words_0, 24);
   rows_reference_rows_read_words_0_memory : entity work.line_memory
-    generic map (depth => 1300, width => 24)
+    generic map (depth => 1300, width => 24, address_bits => 11)
     port map (
-      clock => clock, read_enable => true,
-      read_address => delay_column, read_data => rows_reference_rows_read_words_0,
-      write_address => rows_write_column, write_data => rows_reference_rows_read_words_0_memory_write_data);
+      clock => clock, read_enable => rows_reference_rows_read_words_0_memory_read_enable,
+      read_address => rows_reference_rows_read_words_0_memory_read_address, read_data => rows_reference_rows_read_words_0,
+      write_address => rows_reference_rows_read_words_0_memory_write_address, write_data => rows_reference_rows_read_words_0_memory_write_data);
 
   process (clock)
     variable transform_counter_group_is_equal, transform_counter_group_is_equal_2 : boolean;
@@ -2610,580 +2682,1309 @@ begin
       transform_counter_group_is_equal := transform_counter_group = 639;
       transform_counter_group_is_equal_2 := transform_counter_column = 1299;
       transform_counter_group_all := transform_counter_group_is_equal and transform_counter_group_is_equal_2;
-      transform_counter_group_choice := 5 when transform_counter_group_all else 0;
+      if transform_counter_group_all then
+        transform_counter_group_choice := 5;
+      else
+        transform_counter_group_choice := 0;
+      end if;
       transform_counter_group_differs := transform_counter_group /= 642;
-      transform_counter_group_choice_2 := 2 when (transform_counter_group = 641) and transform_counter_next_frame else
-        (transform_counter_group + 1) mod 1024;
-      transform_counter_group_choice_3 := transform_counter_group_choice_2 when transform_counter_group_differs and
-        in_valid and transform_counter_group_is_equal_2 else transform_counter_group;
+      if (transform_counter_group = 641) and transform_counter_next_frame then
+        transform_counter_group_choice_2 := 2;
+      else
+        transform_counter_group_choice_2 := (transform_counter_group + 1) mod 1024;
+      end if;
+      if transform_counter_group_differs and in_valid and transform_counter_group_is_equal_2 then
+        transform_counter_group_choice_3 := transform_counter_group_choice_2;
+      else
+        transform_counter_group_choice_3 := transform_counter_group;
+      end if;
       transform_read_column_inside_0_is_less := 1 < transform_counter_column;
       transform_left_filter_feature_0_value := ((transform_left_filter_column_2_2 / 2) mod 2) = 1;
       transform_left_filter_feature_0_any := (not transform_left_filter_feature_0_value) or (not
         ((transform_left_filter_column_2_2 mod 2) = 1));
-      transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
+      if (transform_left_filter_column_4_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice := not transform_left_filter_feature_0_value;
+      end if;
       transform_left_filter_feature_0_is_equal := (transform_left_filter_column_2_2 mod 4) = 0;
-      transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice when
-        ((transform_left_filter_column_4_0 / 2) mod 2) = 1 else ((transform_left_filter_column_4_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
+      if ((transform_left_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_2 := transform_left_filter_feature_0_choice;
+      else
+        transform_left_filter_feature_0_choice_2 := ((transform_left_filter_column_4_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
       transform_left_filter_feature_0_value_2 := ((transform_left_filter_column_2_2 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_2 else (not
-        (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
+      if transform_left_filter_feature_0_choice_2 then
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_3 := (not (((transform_left_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
       transform_left_filter_feature_0_value_3 := ((transform_left_filter_column_2_2 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_3 else (not
-        (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
+      if transform_left_filter_feature_0_choice_3 then
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_4 := (not (((transform_left_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
       transform_left_filter_feature_0_value_4 := ((transform_left_filter_column_2_2 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_4 else (not
-        (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
+      if transform_left_filter_feature_0_choice_4 then
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_5 := (not (((transform_left_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
       transform_left_filter_feature_0_value_5 := ((transform_left_filter_column_2_2 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_5 else (not
-        (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
+      if transform_left_filter_feature_0_choice_5 then
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_6 := (not (((transform_left_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
       transform_left_filter_feature_0_value_6 := ((transform_left_filter_column_2_2 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_6 else (not
-        (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_7 else
-        ((transform_left_filter_column_4_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9 when
-        ((transform_left_filter_column_4_1 / 2) mod 2) = 1 else ((transform_left_filter_column_4_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_10 else (not
-        (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_11 else (not
-        (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_12 else (not
-        (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_13 else (not
-        (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_14 else (not
-        (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_15 else
-        ((transform_left_filter_column_4_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17 when
-        ((transform_left_filter_column_4_2 / 2) mod 2) = 1 else ((transform_left_filter_column_4_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_18 else (not
-        (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_19 else (not
-        (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_20 else (not
-        (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_21 else (not
-        (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_22 else (not
-        (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_23 else
-        ((transform_left_filter_column_4_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25 when
-        ((transform_left_filter_column_4_3 / 2) mod 2) = 1 else ((transform_left_filter_column_4_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_26 else (not
-        (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_27 else (not
-        (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_28 else (not
-        (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_29 else (not
-        (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_30 else (not
-        (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_31 else
-        ((transform_left_filter_column_4_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_4_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33 when
-        ((transform_left_filter_column_4_4 / 2) mod 2) = 1 else ((transform_left_filter_column_4_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_34 else (not
-        (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_35 else (not
-        (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_36 else (not
-        (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_37 else (not
-        (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_38 else (not
-        (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_4_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_39 else
-        ((transform_left_filter_column_4_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41 when
-        ((transform_left_filter_column_3_0 / 2) mod 2) = 1 else ((transform_left_filter_column_3_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_42 else (not
-        (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_43 else (not
-        (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_44 else (not
-        (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_45 else (not
-        (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_46 else (not
-        (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_47 else
-        ((transform_left_filter_column_3_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49 when
-        ((transform_left_filter_column_3_1 / 2) mod 2) = 1 else ((transform_left_filter_column_3_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_50 else (not
-        (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_51 else (not
-        (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_52 else (not
-        (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_53 else (not
-        (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_54 else (not
-        (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_55 else
-        ((transform_left_filter_column_3_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57 when
-        ((transform_left_filter_column_3_2 / 2) mod 2) = 1 else ((transform_left_filter_column_3_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_58 else (not
-        (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_59 else (not
-        (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_60 else (not
-        (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_61 else (not
-        (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_62 else (not
-        (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_63 else
-        ((transform_left_filter_column_3_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65 when
-        ((transform_left_filter_column_3_3 / 2) mod 2) = 1 else ((transform_left_filter_column_3_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_66 else (not
-        (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_67 else (not
-        (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_68 else (not
-        (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_69 else (not
-        (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_70 else (not
-        (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_71 else
-        ((transform_left_filter_column_3_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_3_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73 when
-        ((transform_left_filter_column_3_4 / 2) mod 2) = 1 else ((transform_left_filter_column_3_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_74 else (not
-        (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_75 else (not
-        (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_76 else (not
-        (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_77 else (not
-        (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_78 else (not
-        (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_3_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_79 else
-        ((transform_left_filter_column_3_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81 when
-        ((transform_left_filter_column_2_4 / 2) mod 2) = 1 else ((transform_left_filter_column_2_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_82 else (not
-        (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_83 else (not
-        (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_84 else (not
-        (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_85 else (not
-        (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_86 else (not
-        (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
-        ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_2_2 / 128) = 1)) when
-        transform_left_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
-        (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1)));
-      transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_choice_89 when
-        ((transform_left_filter_column_2_1 / 2) mod 2) = 1 else ((transform_left_filter_column_2_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_90 else (not
-        (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_91 else (not
-        (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_92 else (not
-        (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_93 else (not
-        (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_94 else (not
-        (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_95 else
-        ((transform_left_filter_column_2_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_choice_97 when
-        ((transform_left_filter_column_2_3 / 2) mod 2) = 1 else ((transform_left_filter_column_2_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_98 else (not
-        (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_99 else (not
-        (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_100 else (not
-        (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_101 else (not
-        (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_102 else (not
-        (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_103 else
-        ((transform_left_filter_column_2_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_2_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105 when
-        ((transform_left_filter_column_2_0 / 2) mod 2) = 1 else ((transform_left_filter_column_2_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_106 else (not
-        (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_107 else (not
-        (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_108 else (not
-        (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_109 else (not
-        (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_110 else (not
-        (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_111 else
-        ((transform_left_filter_column_2_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_choice_113 when
-        ((transform_left_filter_column_1_3 / 2) mod 2) = 1 else ((transform_left_filter_column_1_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_114 else (not
-        (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_115 else (not
-        (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_116 else (not
-        (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_117 else (not
-        (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_118 else (not
-        (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_119 else
-        ((transform_left_filter_column_1_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_121 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_choice_121 when
-        ((transform_left_filter_column_1_4 / 2) mod 2) = 1 else ((transform_left_filter_column_1_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_122 else (not
-        (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_123 else (not
-        (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_124 else (not
-        (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_125 else (not
-        (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_126 else (not
-        (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_1_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_127 else
-        ((transform_left_filter_column_1_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_129 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_choice_129 when
-        ((transform_left_filter_column_1_2 / 2) mod 2) = 1 else ((transform_left_filter_column_1_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_130 else (not
-        (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_131 else (not
-        (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_132 else (not
-        (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_133 else (not
-        (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_134 else (not
-        (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_135 else
-        ((transform_left_filter_column_1_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_137 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_choice_137 when
-        ((transform_left_filter_column_1_1 / 2) mod 2) = 1 else ((transform_left_filter_column_1_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_138 else (not
-        (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_139 else (not
-        (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_140 else (not
-        (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_141 else (not
-        (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_142 else (not
-        (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_143 else
-        ((transform_left_filter_column_1_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_145 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_1_0 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_choice_145 when
-        ((transform_left_filter_column_1_0 / 2) mod 2) = 1 else ((transform_left_filter_column_1_0 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_146 else (not
-        (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_147 else (not
-        (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_148 else (not
-        (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_149 else (not
-        (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_150 else (not
-        (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_151 else
-        ((transform_left_filter_column_1_0 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_153 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_3 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_choice_153 when
-        ((transform_left_filter_column_0_3 / 2) mod 2) = 1 else ((transform_left_filter_column_0_3 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_154 else (not
-        (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_155 else (not
-        (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_156 else (not
-        (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_157 else (not
-        (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_158 else (not
-        (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_159 else
-        ((transform_left_filter_column_0_3 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_4 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_choice_161 when
-        ((transform_left_filter_column_0_4 / 2) mod 2) = 1 else ((transform_left_filter_column_0_4 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_162 else (not
-        (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_163 else (not
-        (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_164 else (not
-        (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_165 else (not
-        (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_166 else (not
-        (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_0_4 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_167 else
-        ((transform_left_filter_column_0_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_2 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_choice_169 when
-        ((transform_left_filter_column_0_2 / 2) mod 2) = 1 else ((transform_left_filter_column_0_2 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_170 else (not
-        (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_171 else (not
-        (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_172 else (not
-        (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_173 else (not
-        (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_174 else (not
-        (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_175 else
-        ((transform_left_filter_column_0_2 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_177 := transform_left_filter_feature_0_any when
-        (transform_left_filter_column_0_1 mod 2) = 1 else not transform_left_filter_feature_0_value;
-      transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_choice_177 when
-        ((transform_left_filter_column_0_1 / 2) mod 2) = 1 else ((transform_left_filter_column_0_1 mod 2) = 1) and
-        transform_left_filter_feature_0_is_equal;
-      transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
-        transform_left_filter_feature_0_value_2 when transform_left_filter_feature_0_choice_178 else (not
-        (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or transform_left_filter_feature_0_value_2;
-      transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_3 when transform_left_filter_feature_0_choice_179 else (not
-        (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and transform_left_filter_feature_0_value_3;
-      transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_4 when transform_left_filter_feature_0_choice_180 else (not
-        (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and transform_left_filter_feature_0_value_4;
-      transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_5 when transform_left_filter_feature_0_choice_181 else (not
-        (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and transform_left_filter_feature_0_value_5;
-      transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
-        transform_left_filter_feature_0_value_6 when transform_left_filter_feature_0_choice_182 else (not
-        (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and transform_left_filter_feature_0_value_6;
-      transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) when transform_left_filter_feature_0_choice_183 else
-        ((transform_left_filter_column_0_1 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1));
-      transform_left_filter_feature_0_choice_185 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1) when
-        (transform_left_filter_column_2_2 mod 2) = 1 else (transform_left_filter_column_0_0 mod 4) = 0;
-      transform_left_filter_feature_0_choice_186 := ((transform_left_filter_column_2_2 mod 2) = 1) or (not
-        (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1))
-        when transform_left_filter_feature_0_value else transform_left_filter_feature_0_choice_185;
+      if transform_left_filter_feature_0_choice_6 then
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_7 := (not (((transform_left_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_7 then
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_8 := ((transform_left_filter_column_4_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_9 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_9 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_10 := transform_left_filter_feature_0_choice_9;
+      else
+        transform_left_filter_feature_0_choice_10 := ((transform_left_filter_column_4_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_10 then
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_11 := (not (((transform_left_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_11 then
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_12 := (not (((transform_left_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_12 then
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_13 := (not (((transform_left_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_13 then
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_14 := (not (((transform_left_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_14 then
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_15 := (not (((transform_left_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_15 then
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_16 := ((transform_left_filter_column_4_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_17 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_17 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_18 := transform_left_filter_feature_0_choice_17;
+      else
+        transform_left_filter_feature_0_choice_18 := ((transform_left_filter_column_4_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_18 then
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_19 := (not (((transform_left_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_19 then
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_20 := (not (((transform_left_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_20 then
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_21 := (not (((transform_left_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_21 then
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_22 := (not (((transform_left_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_22 then
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_23 := (not (((transform_left_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_23 then
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_4_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_24 := ((transform_left_filter_column_4_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_25 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_25 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_26 := transform_left_filter_feature_0_choice_25;
+      else
+        transform_left_filter_feature_0_choice_26 := ((transform_left_filter_column_4_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_26 then
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_27 := (not (((transform_left_filter_column_4_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_27 then
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_28 := (not (((transform_left_filter_column_4_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_28 then
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_29 := (not (((transform_left_filter_column_4_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_29 then
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_30 := (not (((transform_left_filter_column_4_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_30 then
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_31 := (not (((transform_left_filter_column_4_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_31 then
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_4_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_32 := ((transform_left_filter_column_4_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_4_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_33 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_33 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_4_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_34 := transform_left_filter_feature_0_choice_33;
+      else
+        transform_left_filter_feature_0_choice_34 := ((transform_left_filter_column_4_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_34 then
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_35 := (not (((transform_left_filter_column_4_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_35 then
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_36 := (not (((transform_left_filter_column_4_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_36 then
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_37 := (not (((transform_left_filter_column_4_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_37 then
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_38 := (not (((transform_left_filter_column_4_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_38 then
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_39 := (not (((transform_left_filter_column_4_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_39 then
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_4_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_40 := ((transform_left_filter_column_4_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_41 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_41 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_42 := transform_left_filter_feature_0_choice_41;
+      else
+        transform_left_filter_feature_0_choice_42 := ((transform_left_filter_column_3_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_42 then
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_43 := (not (((transform_left_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_43 then
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_44 := (not (((transform_left_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_44 then
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_45 := (not (((transform_left_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_45 then
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_46 := (not (((transform_left_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_46 then
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_47 := (not (((transform_left_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_47 then
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_3_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_48 := ((transform_left_filter_column_3_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_49 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_49 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_50 := transform_left_filter_feature_0_choice_49;
+      else
+        transform_left_filter_feature_0_choice_50 := ((transform_left_filter_column_3_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_50 then
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_51 := (not (((transform_left_filter_column_3_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_51 then
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_52 := (not (((transform_left_filter_column_3_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_52 then
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_53 := (not (((transform_left_filter_column_3_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_53 then
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_54 := (not (((transform_left_filter_column_3_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_54 then
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_55 := (not (((transform_left_filter_column_3_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_55 then
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_3_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_56 := ((transform_left_filter_column_3_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_57 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_57 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_58 := transform_left_filter_feature_0_choice_57;
+      else
+        transform_left_filter_feature_0_choice_58 := ((transform_left_filter_column_3_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_58 then
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_59 := (not (((transform_left_filter_column_3_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_59 then
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_60 := (not (((transform_left_filter_column_3_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_60 then
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_61 := (not (((transform_left_filter_column_3_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_61 then
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_62 := (not (((transform_left_filter_column_3_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_62 then
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_63 := (not (((transform_left_filter_column_3_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_63 then
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_3_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_64 := ((transform_left_filter_column_3_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_65 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_65 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_66 := transform_left_filter_feature_0_choice_65;
+      else
+        transform_left_filter_feature_0_choice_66 := ((transform_left_filter_column_3_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_66 then
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_67 := (not (((transform_left_filter_column_3_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_67 then
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_68 := (not (((transform_left_filter_column_3_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_68 then
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_69 := (not (((transform_left_filter_column_3_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_69 then
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_70 := (not (((transform_left_filter_column_3_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_70 then
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_71 := (not (((transform_left_filter_column_3_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_71 then
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_3_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_72 := ((transform_left_filter_column_3_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_3_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_73 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_73 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_3_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_74 := transform_left_filter_feature_0_choice_73;
+      else
+        transform_left_filter_feature_0_choice_74 := ((transform_left_filter_column_3_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_74 then
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_75 := (not (((transform_left_filter_column_3_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_75 then
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_76 := (not (((transform_left_filter_column_3_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_76 then
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_77 := (not (((transform_left_filter_column_3_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_77 then
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_78 := (not (((transform_left_filter_column_3_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_78 then
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_79 := (not (((transform_left_filter_column_3_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_79 then
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_3_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_80 := ((transform_left_filter_column_3_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_81 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_81 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_82 := transform_left_filter_feature_0_choice_81;
+      else
+        transform_left_filter_feature_0_choice_82 := ((transform_left_filter_column_2_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_82 then
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_83 := (not (((transform_left_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_83 then
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_84 := (not (((transform_left_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_84 then
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_85 := (not (((transform_left_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_85 then
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_86 := (not (((transform_left_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_86 then
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_87 := (not (((transform_left_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_87 then
+        transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
+          ((transform_left_filter_column_2_4 / 128) = 1) and (not ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
+          (((transform_left_filter_column_2_4 / 128) = 1) or (not ((transform_left_filter_column_2_2 / 128) = 1)));
+      end if;
+      if (transform_left_filter_column_2_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_89 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_89 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_90 := transform_left_filter_feature_0_choice_89;
+      else
+        transform_left_filter_feature_0_choice_90 := ((transform_left_filter_column_2_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_90 then
+        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_91 := (not (((transform_left_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_91 then
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_92 := (not (((transform_left_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_92 then
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_93 := (not (((transform_left_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_93 then
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_94 := (not (((transform_left_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_94 then
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_95 := (not (((transform_left_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_95 then
+        transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_2_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_96 := ((transform_left_filter_column_2_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_97 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_97 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_98 := transform_left_filter_feature_0_choice_97;
+      else
+        transform_left_filter_feature_0_choice_98 := ((transform_left_filter_column_2_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_98 then
+        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_99 := (not (((transform_left_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_99 then
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_100 := (not (((transform_left_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_100 then
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_101 := (not (((transform_left_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_101 then
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_102 := (not (((transform_left_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_102 then
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_103 := (not (((transform_left_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_103 then
+        transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_2_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_104 := ((transform_left_filter_column_2_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_105 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_105 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_106 := transform_left_filter_feature_0_choice_105;
+      else
+        transform_left_filter_feature_0_choice_106 := ((transform_left_filter_column_2_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_106 then
+        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_107 := (not (((transform_left_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_107 then
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_108 := (not (((transform_left_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_108 then
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_109 := (not (((transform_left_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_109 then
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_110 := (not (((transform_left_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_110 then
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_111 := (not (((transform_left_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_111 then
+        transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_2_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_112 := ((transform_left_filter_column_2_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_113 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_113 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_114 := transform_left_filter_feature_0_choice_113;
+      else
+        transform_left_filter_feature_0_choice_114 := ((transform_left_filter_column_1_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_114 then
+        transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_115 := (not (((transform_left_filter_column_1_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_115 then
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_116 := (not (((transform_left_filter_column_1_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_116 then
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_117 := (not (((transform_left_filter_column_1_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_117 then
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_118 := (not (((transform_left_filter_column_1_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_118 then
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_119 := (not (((transform_left_filter_column_1_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_119 then
+        transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_1_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_120 := ((transform_left_filter_column_1_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_121 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_121 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_122 := transform_left_filter_feature_0_choice_121;
+      else
+        transform_left_filter_feature_0_choice_122 := ((transform_left_filter_column_1_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_122 then
+        transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_123 := (not (((transform_left_filter_column_1_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_123 then
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_124 := (not (((transform_left_filter_column_1_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_124 then
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_125 := (not (((transform_left_filter_column_1_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_125 then
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_126 := (not (((transform_left_filter_column_1_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_126 then
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_127 := (not (((transform_left_filter_column_1_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_127 then
+        transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_1_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_128 := ((transform_left_filter_column_1_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_129 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_129 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_130 := transform_left_filter_feature_0_choice_129;
+      else
+        transform_left_filter_feature_0_choice_130 := ((transform_left_filter_column_1_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_130 then
+        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_131 := (not (((transform_left_filter_column_1_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_131 then
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_132 := (not (((transform_left_filter_column_1_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_132 then
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_133 := (not (((transform_left_filter_column_1_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_133 then
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_134 := (not (((transform_left_filter_column_1_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_134 then
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_135 := (not (((transform_left_filter_column_1_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_135 then
+        transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_1_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_136 := ((transform_left_filter_column_1_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_137 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_137 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_138 := transform_left_filter_feature_0_choice_137;
+      else
+        transform_left_filter_feature_0_choice_138 := ((transform_left_filter_column_1_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_138 then
+        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_139 := (not (((transform_left_filter_column_1_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_139 then
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_140 := (not (((transform_left_filter_column_1_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_140 then
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_141 := (not (((transform_left_filter_column_1_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_141 then
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_142 := (not (((transform_left_filter_column_1_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_142 then
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_143 := (not (((transform_left_filter_column_1_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_143 then
+        transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_1_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_144 := ((transform_left_filter_column_1_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_1_0 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_145 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_145 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_146 := transform_left_filter_feature_0_choice_145;
+      else
+        transform_left_filter_feature_0_choice_146 := ((transform_left_filter_column_1_0 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_146 then
+        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_147 := (not (((transform_left_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_147 then
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_148 := (not (((transform_left_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_148 then
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_149 := (not (((transform_left_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_149 then
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_150 := (not (((transform_left_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_150 then
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_151 := (not (((transform_left_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_151 then
+        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_1_0 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_152 := ((transform_left_filter_column_1_0 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_3 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_153 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_153 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_3 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_154 := transform_left_filter_feature_0_choice_153;
+      else
+        transform_left_filter_feature_0_choice_154 := ((transform_left_filter_column_0_3 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_154 then
+        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_155 := (not (((transform_left_filter_column_0_3 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_155 then
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_156 := (not (((transform_left_filter_column_0_3 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_156 then
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_157 := (not (((transform_left_filter_column_0_3 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_157 then
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_158 := (not (((transform_left_filter_column_0_3 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_158 then
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_159 := (not (((transform_left_filter_column_0_3 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_159 then
+        transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_0_3 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_160 := ((transform_left_filter_column_0_3 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_4 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_161 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_161 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_162 := transform_left_filter_feature_0_choice_161;
+      else
+        transform_left_filter_feature_0_choice_162 := ((transform_left_filter_column_0_4 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_162 then
+        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_163 := (not (((transform_left_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_163 then
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_164 := (not (((transform_left_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_164 then
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_165 := (not (((transform_left_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_165 then
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_166 := (not (((transform_left_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_166 then
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_167 := (not (((transform_left_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_167 then
+        transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_0_4 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_168 := ((transform_left_filter_column_0_4 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_169 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_169 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_170 := transform_left_filter_feature_0_choice_169;
+      else
+        transform_left_filter_feature_0_choice_170 := ((transform_left_filter_column_0_2 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_170 then
+        transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_171 := (not (((transform_left_filter_column_0_2 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_171 then
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_172 := (not (((transform_left_filter_column_0_2 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_172 then
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_173 := (not (((transform_left_filter_column_0_2 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_173 then
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_174 := (not (((transform_left_filter_column_0_2 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_174 then
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_175 := (not (((transform_left_filter_column_0_2 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_175 then
+        transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_0_2 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_176 := ((transform_left_filter_column_0_2 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_0_1 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_177 := transform_left_filter_feature_0_any;
+      else
+        transform_left_filter_feature_0_choice_177 := not transform_left_filter_feature_0_value;
+      end if;
+      if ((transform_left_filter_column_0_1 / 2) mod 2) = 1 then
+        transform_left_filter_feature_0_choice_178 := transform_left_filter_feature_0_choice_177;
+      else
+        transform_left_filter_feature_0_choice_178 := ((transform_left_filter_column_0_1 mod 2) = 1) and
+          transform_left_filter_feature_0_is_equal;
+      end if;
+      if transform_left_filter_feature_0_choice_178 then
+        transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_2;
+      else
+        transform_left_filter_feature_0_choice_179 := (not (((transform_left_filter_column_0_1 / 4) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_2;
+      end if;
+      if transform_left_filter_feature_0_choice_179 then
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_3;
+      else
+        transform_left_filter_feature_0_choice_180 := (not (((transform_left_filter_column_0_1 / 8) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_3;
+      end if;
+      if transform_left_filter_feature_0_choice_180 then
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_4;
+      else
+        transform_left_filter_feature_0_choice_181 := (not (((transform_left_filter_column_0_1 / 16) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_4;
+      end if;
+      if transform_left_filter_feature_0_choice_181 then
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_5;
+      else
+        transform_left_filter_feature_0_choice_182 := (not (((transform_left_filter_column_0_1 / 32) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_5;
+      end if;
+      if transform_left_filter_feature_0_choice_182 then
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) or
+          transform_left_filter_feature_0_value_6;
+      else
+        transform_left_filter_feature_0_choice_183 := (not (((transform_left_filter_column_0_1 / 64) mod 2) = 1)) and
+          transform_left_filter_feature_0_value_6;
+      end if;
+      if transform_left_filter_feature_0_choice_183 then
+        transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) and (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      else
+        transform_left_filter_feature_0_choice_184 := ((transform_left_filter_column_0_1 / 128) = 1) or (not
+          ((transform_left_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_left_filter_column_2_2 mod 2) = 1 then
+        transform_left_filter_feature_0_choice_185 := not (((transform_left_filter_column_0_0 / 2) mod 2) = 1);
+      else
+        transform_left_filter_feature_0_choice_185 := (transform_left_filter_column_0_0 mod 4) = 0;
+      end if;
+      if transform_left_filter_feature_0_value then
+        transform_left_filter_feature_0_choice_186 := ((transform_left_filter_column_2_2 mod 2) = 1) or (not
+          (((transform_left_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_left_filter_column_0_0 mod 2) = 1));
+      else
+        transform_left_filter_feature_0_choice_186 := transform_left_filter_feature_0_choice_185;
+      end if;
       transform_left_filter_feature_0_value_7 := ((transform_left_filter_column_0_0 / 4) mod 2) = 1;
-      transform_left_filter_feature_0_choice_187 := (not transform_left_filter_feature_0_value_2) and
-        transform_left_filter_feature_0_value_7 when transform_left_filter_feature_0_choice_186 else (not
-        transform_left_filter_feature_0_value_2) or transform_left_filter_feature_0_value_7;
+      if transform_left_filter_feature_0_choice_186 then
+        transform_left_filter_feature_0_choice_187 := (not transform_left_filter_feature_0_value_2) and
+          transform_left_filter_feature_0_value_7;
+      else
+        transform_left_filter_feature_0_choice_187 := (not transform_left_filter_feature_0_value_2) or
+          transform_left_filter_feature_0_value_7;
+      end if;
       transform_left_filter_feature_0_value_8 := ((transform_left_filter_column_0_0 / 8) mod 2) = 1;
-      transform_left_filter_feature_0_choice_188 := (not transform_left_filter_feature_0_value_3) or
-        transform_left_filter_feature_0_value_8 when transform_left_filter_feature_0_choice_187 else (not
-        transform_left_filter_feature_0_value_3) and transform_left_filter_feature_0_value_8;
+      if transform_left_filter_feature_0_choice_187 then
+        transform_left_filter_feature_0_choice_188 := (not transform_left_filter_feature_0_value_3) or
+          transform_left_filter_feature_0_value_8;
+      else
+        transform_left_filter_feature_0_choice_188 := (not transform_left_filter_feature_0_value_3) and
+          transform_left_filter_feature_0_value_8;
+      end if;
       transform_left_filter_feature_0_value_9 := ((transform_left_filter_column_0_0 / 16) mod 2) = 1;
-      transform_left_filter_feature_0_choice_189 := (not transform_left_filter_feature_0_value_4) or
-        transform_left_filter_feature_0_value_9 when transform_left_filter_feature_0_choice_188 else (not
-        transform_left_filter_feature_0_value_4) and transform_left_filter_feature_0_value_9;
+      if transform_left_filter_feature_0_choice_188 then
+        transform_left_filter_feature_0_choice_189 := (not transform_left_filter_feature_0_value_4) or
+          transform_left_filter_feature_0_value_9;
+      else
+        transform_left_filter_feature_0_choice_189 := (not transform_left_filter_feature_0_value_4) and
+          transform_left_filter_feature_0_value_9;
+      end if;
       transform_left_filter_feature_0_value_10 := ((transform_left_filter_column_0_0 / 32) mod 2) = 1;
-      transform_left_filter_feature_0_choice_190 := (not transform_left_filter_feature_0_value_5) or
-        transform_left_filter_feature_0_value_10 when transform_left_filter_feature_0_choice_189 else (not
-        transform_left_filter_feature_0_value_5) and transform_left_filter_feature_0_value_10;
+      if transform_left_filter_feature_0_choice_189 then
+        transform_left_filter_feature_0_choice_190 := (not transform_left_filter_feature_0_value_5) or
+          transform_left_filter_feature_0_value_10;
+      else
+        transform_left_filter_feature_0_choice_190 := (not transform_left_filter_feature_0_value_5) and
+          transform_left_filter_feature_0_value_10;
+      end if;
       transform_left_filter_feature_0_value_11 := ((transform_left_filter_column_0_0 / 64) mod 2) = 1;
-      transform_left_filter_feature_0_choice_191 := (not transform_left_filter_feature_0_value_6) or
-        transform_left_filter_feature_0_value_11 when transform_left_filter_feature_0_choice_190 else (not
-        transform_left_filter_feature_0_value_6) and transform_left_filter_feature_0_value_11;
-      transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
-        ((transform_left_filter_column_0_0 / 128) = 1) when transform_left_filter_feature_0_choice_191 else (not
-        ((transform_left_filter_column_2_2 / 128) = 1)) and ((transform_left_filter_column_0_0 / 128) = 1);
+      if transform_left_filter_feature_0_choice_190 then
+        transform_left_filter_feature_0_choice_191 := (not transform_left_filter_feature_0_value_6) or
+          transform_left_filter_feature_0_value_11;
+      else
+        transform_left_filter_feature_0_choice_191 := (not transform_left_filter_feature_0_value_6) and
+          transform_left_filter_feature_0_value_11;
+      end if;
+      if transform_left_filter_feature_0_choice_191 then
+        transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) or
+          ((transform_left_filter_column_0_0 / 128) = 1);
+      else
+        transform_left_filter_feature_0_choice_192 := (not ((transform_left_filter_column_2_2 / 128) = 1)) and
+          ((transform_left_filter_column_0_0 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_left_filter_feature_0_choice_193 := (as_number(transform_left_filter_feature_0_choice_160) * 8) +
           (as_number(transform_left_filter_feature_0_choice_168) * 16) +
@@ -3223,570 +4024,1290 @@ begin
       transform_right_filter_feature_0_value := ((transform_right_filter_column_2_2 / 2) mod 2) = 1;
       transform_right_filter_feature_0_any := (not transform_right_filter_feature_0_value) or (not
         ((transform_right_filter_column_2_2 mod 2) = 1));
-      transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
+      if (transform_right_filter_column_4_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice := not transform_right_filter_feature_0_value;
+      end if;
       transform_right_filter_feature_0_is_equal := (transform_right_filter_column_2_2 mod 4) = 0;
-      transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice when
-        ((transform_right_filter_column_4_0 / 2) mod 2) = 1 else ((transform_right_filter_column_4_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
+      if ((transform_right_filter_column_4_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_2 := transform_right_filter_feature_0_choice;
+      else
+        transform_right_filter_feature_0_choice_2 := ((transform_right_filter_column_4_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
       transform_right_filter_feature_0_value_2 := ((transform_right_filter_column_2_2 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_2 else (not
-        (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
+      if transform_right_filter_feature_0_choice_2 then
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_3 := (not (((transform_right_filter_column_4_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
       transform_right_filter_feature_0_value_3 := ((transform_right_filter_column_2_2 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_3 else (not
-        (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
+      if transform_right_filter_feature_0_choice_3 then
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_4 := (not (((transform_right_filter_column_4_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
       transform_right_filter_feature_0_value_4 := ((transform_right_filter_column_2_2 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_4 else (not
-        (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
+      if transform_right_filter_feature_0_choice_4 then
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_5 := (not (((transform_right_filter_column_4_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
       transform_right_filter_feature_0_value_5 := ((transform_right_filter_column_2_2 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_5 else (not
-        (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
+      if transform_right_filter_feature_0_choice_5 then
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_6 := (not (((transform_right_filter_column_4_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
       transform_right_filter_feature_0_value_6 := ((transform_right_filter_column_2_2 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_6 else (not
-        (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_7 else
-        ((transform_right_filter_column_4_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9 when
-        ((transform_right_filter_column_4_1 / 2) mod 2) = 1 else ((transform_right_filter_column_4_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_10 else (not
-        (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_11 else (not
-        (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_12 else (not
-        (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_13 else (not
-        (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_14 else (not
-        (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_15 else
-        ((transform_right_filter_column_4_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17 when
-        ((transform_right_filter_column_4_2 / 2) mod 2) = 1 else ((transform_right_filter_column_4_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_18 else (not
-        (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_19 else (not
-        (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_20 else (not
-        (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_21 else (not
-        (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_22 else (not
-        (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_23 else
-        ((transform_right_filter_column_4_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25 when
-        ((transform_right_filter_column_4_3 / 2) mod 2) = 1 else ((transform_right_filter_column_4_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_26 else (not
-        (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_27 else (not
-        (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_28 else (not
-        (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_29 else (not
-        (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_30 else (not
-        (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_31 else
-        ((transform_right_filter_column_4_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_4_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33 when
-        ((transform_right_filter_column_4_4 / 2) mod 2) = 1 else ((transform_right_filter_column_4_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_34 else (not
-        (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_35 else (not
-        (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_36 else (not
-        (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_37 else (not
-        (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_38 else (not
-        (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_4_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_39 else
-        ((transform_right_filter_column_4_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41 when
-        ((transform_right_filter_column_3_0 / 2) mod 2) = 1 else ((transform_right_filter_column_3_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_42 else (not
-        (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_43 else (not
-        (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_44 else (not
-        (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_45 else (not
-        (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_46 else (not
-        (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_47 else
-        ((transform_right_filter_column_3_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49 when
-        ((transform_right_filter_column_3_1 / 2) mod 2) = 1 else ((transform_right_filter_column_3_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_50 else (not
-        (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_51 else (not
-        (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_52 else (not
-        (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_53 else (not
-        (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_54 else (not
-        (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_55 else
-        ((transform_right_filter_column_3_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57 when
-        ((transform_right_filter_column_3_2 / 2) mod 2) = 1 else ((transform_right_filter_column_3_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_58 else (not
-        (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_59 else (not
-        (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_60 else (not
-        (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_61 else (not
-        (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_62 else (not
-        (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_63 else
-        ((transform_right_filter_column_3_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65 when
-        ((transform_right_filter_column_3_3 / 2) mod 2) = 1 else ((transform_right_filter_column_3_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_66 else (not
-        (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_67 else (not
-        (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_68 else (not
-        (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_69 else (not
-        (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_70 else (not
-        (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_71 else
-        ((transform_right_filter_column_3_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_3_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73 when
-        ((transform_right_filter_column_3_4 / 2) mod 2) = 1 else ((transform_right_filter_column_3_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_74 else (not
-        (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_75 else (not
-        (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_76 else (not
-        (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_77 else (not
-        (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_78 else (not
-        (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_79 else
-        ((transform_right_filter_column_3_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81 when
-        ((transform_right_filter_column_2_4 / 2) mod 2) = 1 else ((transform_right_filter_column_2_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_82 else (not
-        (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_83 else (not
-        (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_84 else (not
-        (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_85 else (not
-        (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_86 else (not
-        (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
-        ((transform_right_filter_column_2_4 / 128) = 1) and (not ((transform_right_filter_column_2_2 / 128) = 1)) when
-        transform_right_filter_feature_0_choice_87 else transform_filtering_0_column_inside_2 and
-        (((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1)));
-      transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_choice_89 when
-        ((transform_right_filter_column_2_1 / 2) mod 2) = 1 else ((transform_right_filter_column_2_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_90 else (not
-        (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_91 else (not
-        (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_92 else (not
-        (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_93 else (not
-        (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_94 else (not
-        (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_95 else
-        ((transform_right_filter_column_2_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97 when
-        ((transform_right_filter_column_2_3 / 2) mod 2) = 1 else ((transform_right_filter_column_2_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_98 else (not
-        (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_99 else (not
-        (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_100 else (not
-        (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_101 else (not
-        (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_102 else (not
-        (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_103 else
-        ((transform_right_filter_column_2_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_2_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_choice_105 when
-        ((transform_right_filter_column_2_0 / 2) mod 2) = 1 else ((transform_right_filter_column_2_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_106 else (not
-        (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_107 else (not
-        (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_108 else (not
-        (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_109 else (not
-        (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_110 else (not
-        (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_111 else
-        ((transform_right_filter_column_2_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_113 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_choice_113 when
-        ((transform_right_filter_column_1_3 / 2) mod 2) = 1 else ((transform_right_filter_column_1_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_114 else (not
-        (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_115 else (not
-        (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_116 else (not
-        (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_117 else (not
-        (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_118 else (not
-        (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_119 else
-        ((transform_right_filter_column_1_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_121 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_choice_121 when
-        ((transform_right_filter_column_1_4 / 2) mod 2) = 1 else ((transform_right_filter_column_1_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_122 else (not
-        (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_123 else (not
-        (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_124 else (not
-        (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_125 else (not
-        (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_126 else (not
-        (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_127 else
-        ((transform_right_filter_column_1_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_129 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_choice_129 when
-        ((transform_right_filter_column_1_2 / 2) mod 2) = 1 else ((transform_right_filter_column_1_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_130 else (not
-        (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_131 else (not
-        (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_132 else (not
-        (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_133 else (not
-        (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_134 else (not
-        (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_135 else
-        ((transform_right_filter_column_1_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_choice_137 when
-        ((transform_right_filter_column_1_1 / 2) mod 2) = 1 else ((transform_right_filter_column_1_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_138 else (not
-        (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_139 else (not
-        (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_140 else (not
-        (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_141 else (not
-        (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_142 else (not
-        (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_143 else
-        ((transform_right_filter_column_1_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_145 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_1_0 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_choice_145 when
-        ((transform_right_filter_column_1_0 / 2) mod 2) = 1 else ((transform_right_filter_column_1_0 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_146 else (not
-        (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_147 else (not
-        (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_148 else (not
-        (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_149 else (not
-        (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_150 else (not
-        (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_151 else
-        ((transform_right_filter_column_1_0 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_3 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_choice_153 when
-        ((transform_right_filter_column_0_3 / 2) mod 2) = 1 else ((transform_right_filter_column_0_3 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_154 else (not
-        (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_155 else (not
-        (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_156 else (not
-        (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_157 else (not
-        (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_158 else (not
-        (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_159 else
-        ((transform_right_filter_column_0_3 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_4 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161 when
-        ((transform_right_filter_column_0_4 / 2) mod 2) = 1 else ((transform_right_filter_column_0_4 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_162 else (not
-        (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_163 else (not
-        (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_164 else (not
-        (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_165 else (not
-        (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_166 else (not
-        (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_167 else
-        ((transform_right_filter_column_0_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_2 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_choice_169 when
-        ((transform_right_filter_column_0_2 / 2) mod 2) = 1 else ((transform_right_filter_column_0_2 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_170 else (not
-        (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_171 else (not
-        (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_172 else (not
-        (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_173 else (not
-        (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_174 else (not
-        (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_175 else
-        ((transform_right_filter_column_0_2 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_177 := transform_right_filter_feature_0_any when
-        (transform_right_filter_column_0_1 mod 2) = 1 else not transform_right_filter_feature_0_value;
-      transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_choice_177 when
-        ((transform_right_filter_column_0_1 / 2) mod 2) = 1 else ((transform_right_filter_column_0_1 mod 2) = 1) and
-        transform_right_filter_feature_0_is_equal;
-      transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
-        transform_right_filter_feature_0_value_2 when transform_right_filter_feature_0_choice_178 else (not
-        (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or transform_right_filter_feature_0_value_2;
-      transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_3 when transform_right_filter_feature_0_choice_179 else (not
-        (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and transform_right_filter_feature_0_value_3;
-      transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_4 when transform_right_filter_feature_0_choice_180 else (not
-        (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and transform_right_filter_feature_0_value_4;
-      transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_5 when transform_right_filter_feature_0_choice_181 else (not
-        (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and transform_right_filter_feature_0_value_5;
-      transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
-        transform_right_filter_feature_0_value_6 when transform_right_filter_feature_0_choice_182 else (not
-        (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and transform_right_filter_feature_0_value_6;
-      transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) when transform_right_filter_feature_0_choice_183 else
-        ((transform_right_filter_column_0_1 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1));
-      transform_right_filter_feature_0_choice_185 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1) when
-        (transform_right_filter_column_2_2 mod 2) = 1 else (transform_right_filter_column_0_0 mod 4) = 0;
-      transform_right_filter_feature_0_choice_186 := ((transform_right_filter_column_2_2 mod 2) = 1) or (not
-        (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) = 1))
-        when transform_right_filter_feature_0_value else transform_right_filter_feature_0_choice_185;
+      if transform_right_filter_feature_0_choice_6 then
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_7 := (not (((transform_right_filter_column_4_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_7 then
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_8 := ((transform_right_filter_column_4_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_9 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_9 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_10 := transform_right_filter_feature_0_choice_9;
+      else
+        transform_right_filter_feature_0_choice_10 := ((transform_right_filter_column_4_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_10 then
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_11 := (not (((transform_right_filter_column_4_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_11 then
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_12 := (not (((transform_right_filter_column_4_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_12 then
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_13 := (not (((transform_right_filter_column_4_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_13 then
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_14 := (not (((transform_right_filter_column_4_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_14 then
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_15 := (not (((transform_right_filter_column_4_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_15 then
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_16 := ((transform_right_filter_column_4_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_17 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_17 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_18 := transform_right_filter_feature_0_choice_17;
+      else
+        transform_right_filter_feature_0_choice_18 := ((transform_right_filter_column_4_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_18 then
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_19 := (not (((transform_right_filter_column_4_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_19 then
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_20 := (not (((transform_right_filter_column_4_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_20 then
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_21 := (not (((transform_right_filter_column_4_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_21 then
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_22 := (not (((transform_right_filter_column_4_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_22 then
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_23 := (not (((transform_right_filter_column_4_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_23 then
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_4_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_24 := ((transform_right_filter_column_4_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_25 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_25 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_26 := transform_right_filter_feature_0_choice_25;
+      else
+        transform_right_filter_feature_0_choice_26 := ((transform_right_filter_column_4_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_26 then
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_27 := (not (((transform_right_filter_column_4_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_27 then
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_28 := (not (((transform_right_filter_column_4_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_28 then
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_29 := (not (((transform_right_filter_column_4_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_29 then
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_30 := (not (((transform_right_filter_column_4_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_30 then
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_31 := (not (((transform_right_filter_column_4_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_31 then
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_4_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_32 := ((transform_right_filter_column_4_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_4_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_33 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_33 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_4_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_34 := transform_right_filter_feature_0_choice_33;
+      else
+        transform_right_filter_feature_0_choice_34 := ((transform_right_filter_column_4_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_34 then
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_35 := (not (((transform_right_filter_column_4_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_35 then
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_36 := (not (((transform_right_filter_column_4_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_36 then
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_37 := (not (((transform_right_filter_column_4_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_37 then
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_38 := (not (((transform_right_filter_column_4_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_38 then
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_39 := (not (((transform_right_filter_column_4_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_39 then
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_4_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_40 := ((transform_right_filter_column_4_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_41 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_41 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_42 := transform_right_filter_feature_0_choice_41;
+      else
+        transform_right_filter_feature_0_choice_42 := ((transform_right_filter_column_3_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_42 then
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_43 := (not (((transform_right_filter_column_3_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_43 then
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_44 := (not (((transform_right_filter_column_3_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_44 then
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_45 := (not (((transform_right_filter_column_3_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_45 then
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_46 := (not (((transform_right_filter_column_3_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_46 then
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_47 := (not (((transform_right_filter_column_3_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_47 then
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_3_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_48 := ((transform_right_filter_column_3_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_49 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_49 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_50 := transform_right_filter_feature_0_choice_49;
+      else
+        transform_right_filter_feature_0_choice_50 := ((transform_right_filter_column_3_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_50 then
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_51 := (not (((transform_right_filter_column_3_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_51 then
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_52 := (not (((transform_right_filter_column_3_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_52 then
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_53 := (not (((transform_right_filter_column_3_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_53 then
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_54 := (not (((transform_right_filter_column_3_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_54 then
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_55 := (not (((transform_right_filter_column_3_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_55 then
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_3_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_56 := ((transform_right_filter_column_3_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_57 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_57 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_58 := transform_right_filter_feature_0_choice_57;
+      else
+        transform_right_filter_feature_0_choice_58 := ((transform_right_filter_column_3_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_58 then
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_59 := (not (((transform_right_filter_column_3_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_59 then
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_60 := (not (((transform_right_filter_column_3_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_60 then
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_61 := (not (((transform_right_filter_column_3_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_61 then
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_62 := (not (((transform_right_filter_column_3_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_62 then
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_63 := (not (((transform_right_filter_column_3_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_63 then
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_3_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_64 := ((transform_right_filter_column_3_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_65 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_65 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_66 := transform_right_filter_feature_0_choice_65;
+      else
+        transform_right_filter_feature_0_choice_66 := ((transform_right_filter_column_3_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_66 then
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_67 := (not (((transform_right_filter_column_3_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_67 then
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_68 := (not (((transform_right_filter_column_3_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_68 then
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_69 := (not (((transform_right_filter_column_3_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_69 then
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_70 := (not (((transform_right_filter_column_3_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_70 then
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_71 := (not (((transform_right_filter_column_3_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_71 then
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_3_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_72 := ((transform_right_filter_column_3_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_3_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_73 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_73 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_3_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_74 := transform_right_filter_feature_0_choice_73;
+      else
+        transform_right_filter_feature_0_choice_74 := ((transform_right_filter_column_3_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_74 then
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_75 := (not (((transform_right_filter_column_3_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_75 then
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_76 := (not (((transform_right_filter_column_3_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_76 then
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_77 := (not (((transform_right_filter_column_3_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_77 then
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_78 := (not (((transform_right_filter_column_3_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_78 then
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_79 := (not (((transform_right_filter_column_3_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_79 then
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_3_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_80 := ((transform_right_filter_column_3_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_81 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_81 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_82 := transform_right_filter_feature_0_choice_81;
+      else
+        transform_right_filter_feature_0_choice_82 := ((transform_right_filter_column_2_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_82 then
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_83 := (not (((transform_right_filter_column_2_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_83 then
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_84 := (not (((transform_right_filter_column_2_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_84 then
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_85 := (not (((transform_right_filter_column_2_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_85 then
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_86 := (not (((transform_right_filter_column_2_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_86 then
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_87 := (not (((transform_right_filter_column_2_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_87 then
+        transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
+          ((transform_right_filter_column_2_4 / 128) = 1) and (not ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_88 := transform_filtering_0_column_inside_2 and
+          (((transform_right_filter_column_2_4 / 128) = 1) or (not ((transform_right_filter_column_2_2 / 128) = 1)));
+      end if;
+      if (transform_right_filter_column_2_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_89 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_89 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_90 := transform_right_filter_feature_0_choice_89;
+      else
+        transform_right_filter_feature_0_choice_90 := ((transform_right_filter_column_2_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_90 then
+        transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_91 := (not (((transform_right_filter_column_2_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_91 then
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_92 := (not (((transform_right_filter_column_2_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_92 then
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_93 := (not (((transform_right_filter_column_2_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_93 then
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_94 := (not (((transform_right_filter_column_2_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_94 then
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_95 := (not (((transform_right_filter_column_2_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_95 then
+        transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_2_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_96 := ((transform_right_filter_column_2_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_97 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_97 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_98 := transform_right_filter_feature_0_choice_97;
+      else
+        transform_right_filter_feature_0_choice_98 := ((transform_right_filter_column_2_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_98 then
+        transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_99 := (not (((transform_right_filter_column_2_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_99 then
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_100 := (not (((transform_right_filter_column_2_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_100 then
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_101 := (not (((transform_right_filter_column_2_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_101 then
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_102 := (not (((transform_right_filter_column_2_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_102 then
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_103 := (not (((transform_right_filter_column_2_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_103 then
+        transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_2_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_104 := ((transform_right_filter_column_2_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_105 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_105 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_2_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_106 := transform_right_filter_feature_0_choice_105;
+      else
+        transform_right_filter_feature_0_choice_106 := ((transform_right_filter_column_2_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_106 then
+        transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_107 := (not (((transform_right_filter_column_2_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_107 then
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_108 := (not (((transform_right_filter_column_2_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_108 then
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_109 := (not (((transform_right_filter_column_2_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_109 then
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_110 := (not (((transform_right_filter_column_2_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_110 then
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_111 := (not (((transform_right_filter_column_2_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_111 then
+        transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_2_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_112 := ((transform_right_filter_column_2_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_113 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_113 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_114 := transform_right_filter_feature_0_choice_113;
+      else
+        transform_right_filter_feature_0_choice_114 := ((transform_right_filter_column_1_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_114 then
+        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_115 := (not (((transform_right_filter_column_1_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_115 then
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_116 := (not (((transform_right_filter_column_1_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_116 then
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_117 := (not (((transform_right_filter_column_1_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_117 then
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_118 := (not (((transform_right_filter_column_1_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_118 then
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_119 := (not (((transform_right_filter_column_1_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_119 then
+        transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_1_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_120 := ((transform_right_filter_column_1_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_121 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_121 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_122 := transform_right_filter_feature_0_choice_121;
+      else
+        transform_right_filter_feature_0_choice_122 := ((transform_right_filter_column_1_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_122 then
+        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_123 := (not (((transform_right_filter_column_1_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_123 then
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_124 := (not (((transform_right_filter_column_1_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_124 then
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_125 := (not (((transform_right_filter_column_1_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_125 then
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_126 := (not (((transform_right_filter_column_1_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_126 then
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_127 := (not (((transform_right_filter_column_1_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_127 then
+        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_1_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_128 := ((transform_right_filter_column_1_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_129 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_129 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_130 := transform_right_filter_feature_0_choice_129;
+      else
+        transform_right_filter_feature_0_choice_130 := ((transform_right_filter_column_1_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_130 then
+        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_131 := (not (((transform_right_filter_column_1_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_131 then
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_132 := (not (((transform_right_filter_column_1_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_132 then
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_133 := (not (((transform_right_filter_column_1_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_133 then
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_134 := (not (((transform_right_filter_column_1_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_134 then
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_135 := (not (((transform_right_filter_column_1_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_135 then
+        transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_1_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_136 := ((transform_right_filter_column_1_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_137 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_137 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_138 := transform_right_filter_feature_0_choice_137;
+      else
+        transform_right_filter_feature_0_choice_138 := ((transform_right_filter_column_1_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_138 then
+        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_139 := (not (((transform_right_filter_column_1_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_139 then
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_140 := (not (((transform_right_filter_column_1_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_140 then
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_141 := (not (((transform_right_filter_column_1_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_141 then
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_142 := (not (((transform_right_filter_column_1_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_142 then
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_143 := (not (((transform_right_filter_column_1_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_143 then
+        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_1_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_144 := ((transform_right_filter_column_1_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_1_0 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_145 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_145 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_1_0 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_146 := transform_right_filter_feature_0_choice_145;
+      else
+        transform_right_filter_feature_0_choice_146 := ((transform_right_filter_column_1_0 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_146 then
+        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_147 := (not (((transform_right_filter_column_1_0 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_147 then
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_148 := (not (((transform_right_filter_column_1_0 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_148 then
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_149 := (not (((transform_right_filter_column_1_0 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_149 then
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_150 := (not (((transform_right_filter_column_1_0 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_150 then
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_151 := (not (((transform_right_filter_column_1_0 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_151 then
+        transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_1_0 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_152 := ((transform_right_filter_column_1_0 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_3 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_153 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_153 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_3 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_154 := transform_right_filter_feature_0_choice_153;
+      else
+        transform_right_filter_feature_0_choice_154 := ((transform_right_filter_column_0_3 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_154 then
+        transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_155 := (not (((transform_right_filter_column_0_3 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_155 then
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_156 := (not (((transform_right_filter_column_0_3 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_156 then
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_157 := (not (((transform_right_filter_column_0_3 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_157 then
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_158 := (not (((transform_right_filter_column_0_3 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_158 then
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_159 := (not (((transform_right_filter_column_0_3 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_159 then
+        transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_0_3 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_160 := ((transform_right_filter_column_0_3 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_4 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_161 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_161 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_4 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_162 := transform_right_filter_feature_0_choice_161;
+      else
+        transform_right_filter_feature_0_choice_162 := ((transform_right_filter_column_0_4 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_162 then
+        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_163 := (not (((transform_right_filter_column_0_4 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_163 then
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_164 := (not (((transform_right_filter_column_0_4 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_164 then
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_165 := (not (((transform_right_filter_column_0_4 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_165 then
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_166 := (not (((transform_right_filter_column_0_4 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_166 then
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_167 := (not (((transform_right_filter_column_0_4 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_167 then
+        transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_0_4 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_168 := ((transform_right_filter_column_0_4 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_169 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_169 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_2 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_170 := transform_right_filter_feature_0_choice_169;
+      else
+        transform_right_filter_feature_0_choice_170 := ((transform_right_filter_column_0_2 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_170 then
+        transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_171 := (not (((transform_right_filter_column_0_2 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_171 then
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_172 := (not (((transform_right_filter_column_0_2 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_172 then
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_173 := (not (((transform_right_filter_column_0_2 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_173 then
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_174 := (not (((transform_right_filter_column_0_2 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_174 then
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_175 := (not (((transform_right_filter_column_0_2 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_175 then
+        transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_0_2 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_176 := ((transform_right_filter_column_0_2 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_0_1 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_177 := transform_right_filter_feature_0_any;
+      else
+        transform_right_filter_feature_0_choice_177 := not transform_right_filter_feature_0_value;
+      end if;
+      if ((transform_right_filter_column_0_1 / 2) mod 2) = 1 then
+        transform_right_filter_feature_0_choice_178 := transform_right_filter_feature_0_choice_177;
+      else
+        transform_right_filter_feature_0_choice_178 := ((transform_right_filter_column_0_1 mod 2) = 1) and
+          transform_right_filter_feature_0_is_equal;
+      end if;
+      if transform_right_filter_feature_0_choice_178 then
+        transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_2;
+      else
+        transform_right_filter_feature_0_choice_179 := (not (((transform_right_filter_column_0_1 / 4) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_2;
+      end if;
+      if transform_right_filter_feature_0_choice_179 then
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_3;
+      else
+        transform_right_filter_feature_0_choice_180 := (not (((transform_right_filter_column_0_1 / 8) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_3;
+      end if;
+      if transform_right_filter_feature_0_choice_180 then
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_4;
+      else
+        transform_right_filter_feature_0_choice_181 := (not (((transform_right_filter_column_0_1 / 16) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_4;
+      end if;
+      if transform_right_filter_feature_0_choice_181 then
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_5;
+      else
+        transform_right_filter_feature_0_choice_182 := (not (((transform_right_filter_column_0_1 / 32) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_5;
+      end if;
+      if transform_right_filter_feature_0_choice_182 then
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) or
+          transform_right_filter_feature_0_value_6;
+      else
+        transform_right_filter_feature_0_choice_183 := (not (((transform_right_filter_column_0_1 / 64) mod 2) = 1)) and
+          transform_right_filter_feature_0_value_6;
+      end if;
+      if transform_right_filter_feature_0_choice_183 then
+        transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) and (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      else
+        transform_right_filter_feature_0_choice_184 := ((transform_right_filter_column_0_1 / 128) = 1) or (not
+          ((transform_right_filter_column_2_2 / 128) = 1));
+      end if;
+      if (transform_right_filter_column_2_2 mod 2) = 1 then
+        transform_right_filter_feature_0_choice_185 := not (((transform_right_filter_column_0_0 / 2) mod 2) = 1);
+      else
+        transform_right_filter_feature_0_choice_185 := (transform_right_filter_column_0_0 mod 4) = 0;
+      end if;
+      if transform_right_filter_feature_0_value then
+        transform_right_filter_feature_0_choice_186 := ((transform_right_filter_column_2_2 mod 2) = 1) or (not
+          (((transform_right_filter_column_0_0 / 2) mod 2) = 1)) or (not ((transform_right_filter_column_0_0 mod 2) =
+          1));
+      else
+        transform_right_filter_feature_0_choice_186 := transform_right_filter_feature_0_choice_185;
+      end if;
       transform_right_filter_feature_0_value_7 := ((transform_right_filter_column_0_0 / 4) mod 2) = 1;
-      transform_right_filter_feature_0_choice_187 := (not transform_right_filter_feature_0_value_2) and
-        transform_right_filter_feature_0_value_7 when transform_right_filter_feature_0_choice_186 else (not
-        transform_right_filter_feature_0_value_2) or transform_right_filter_feature_0_value_7;
+      if transform_right_filter_feature_0_choice_186 then
+        transform_right_filter_feature_0_choice_187 := (not transform_right_filter_feature_0_value_2) and
+          transform_right_filter_feature_0_value_7;
+      else
+        transform_right_filter_feature_0_choice_187 := (not transform_right_filter_feature_0_value_2) or
+          transform_right_filter_feature_0_value_7;
+      end if;
       transform_right_filter_feature_0_value_8 := ((transform_right_filter_column_0_0 / 8) mod 2) = 1;
-      transform_right_filter_feature_0_choice_188 := (not transform_right_filter_feature_0_value_3) or
-        transform_right_filter_feature_0_value_8 when transform_right_filter_feature_0_choice_187 else (not
-        transform_right_filter_feature_0_value_3) and transform_right_filter_feature_0_value_8;
+      if transform_right_filter_feature_0_choice_187 then
+        transform_right_filter_feature_0_choice_188 := (not transform_right_filter_feature_0_value_3) or
+          transform_right_filter_feature_0_value_8;
+      else
+        transform_right_filter_feature_0_choice_188 := (not transform_right_filter_feature_0_value_3) and
+          transform_right_filter_feature_0_value_8;
+      end if;
       transform_right_filter_feature_0_value_9 := ((transform_right_filter_column_0_0 / 16) mod 2) = 1;
-      transform_right_filter_feature_0_choice_189 := (not transform_right_filter_feature_0_value_4) or
-        transform_right_filter_feature_0_value_9 when transform_right_filter_feature_0_choice_188 else (not
-        transform_right_filter_feature_0_value_4) and transform_right_filter_feature_0_value_9;
+      if transform_right_filter_feature_0_choice_188 then
+        transform_right_filter_feature_0_choice_189 := (not transform_right_filter_feature_0_value_4) or
+          transform_right_filter_feature_0_value_9;
+      else
+        transform_right_filter_feature_0_choice_189 := (not transform_right_filter_feature_0_value_4) and
+          transform_right_filter_feature_0_value_9;
+      end if;
       transform_right_filter_feature_0_value_10 := ((transform_right_filter_column_0_0 / 32) mod 2) = 1;
-      transform_right_filter_feature_0_choice_190 := (not transform_right_filter_feature_0_value_5) or
-        transform_right_filter_feature_0_value_10 when transform_right_filter_feature_0_choice_189 else (not
-        transform_right_filter_feature_0_value_5) and transform_right_filter_feature_0_value_10;
+      if transform_right_filter_feature_0_choice_189 then
+        transform_right_filter_feature_0_choice_190 := (not transform_right_filter_feature_0_value_5) or
+          transform_right_filter_feature_0_value_10;
+      else
+        transform_right_filter_feature_0_choice_190 := (not transform_right_filter_feature_0_value_5) and
+          transform_right_filter_feature_0_value_10;
+      end if;
       transform_right_filter_feature_0_value_11 := ((transform_right_filter_column_0_0 / 64) mod 2) = 1;
-      transform_right_filter_feature_0_choice_191 := (not transform_right_filter_feature_0_value_6) or
-        transform_right_filter_feature_0_value_11 when transform_right_filter_feature_0_choice_190 else (not
-        transform_right_filter_feature_0_value_6) and transform_right_filter_feature_0_value_11;
-      transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
-        ((transform_right_filter_column_0_0 / 128) = 1) when transform_right_filter_feature_0_choice_191 else (not
-        ((transform_right_filter_column_2_2 / 128) = 1)) and ((transform_right_filter_column_0_0 / 128) = 1);
+      if transform_right_filter_feature_0_choice_190 then
+        transform_right_filter_feature_0_choice_191 := (not transform_right_filter_feature_0_value_6) or
+          transform_right_filter_feature_0_value_11;
+      else
+        transform_right_filter_feature_0_choice_191 := (not transform_right_filter_feature_0_value_6) and
+          transform_right_filter_feature_0_value_11;
+      end if;
+      if transform_right_filter_feature_0_choice_191 then
+        transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) or
+          ((transform_right_filter_column_0_0 / 128) = 1);
+      else
+        transform_right_filter_feature_0_choice_192 := (not ((transform_right_filter_column_2_2 / 128) = 1)) and
+          ((transform_right_filter_column_0_0 / 128) = 1);
+      end if;
       if transform_filtering_0_column_inside_0 then
         transform_right_filter_feature_0_choice_193 := (as_number(transform_right_filter_feature_0_choice_160) * 8) +
           (as_number(transform_right_filter_feature_0_choice_168) * 16) +
@@ -3826,8 +5347,6 @@ begin
       transform_left_0 <= in_left_pixel;
       transform_right_0 <= in_right_pixel;
       transform_valid <= in_valid;
-      transform_counter_group <= transform_counter_group_choice * 128 when in_valid and in_start_of_frame else
-        transform_counter_group_choice_3;
       transform_left_rows_read_newest_0 <= transform_left_0;
       transform_left_rows_ready_words_0 <= transform_left_rows_read_words_0;
       transform_left_rows_ready_newest_0 <= transform_left_rows_read_newest_0;
@@ -3884,18 +5403,6 @@ begin
       transform_columns_column_inside_4 <= transform_ready_column_inside_4;
       transform_columns_start_of_frame <= transform_ready_start_of_frame;
       transform_columns_valid <= transform_ready_valid;
-      transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 524288) +
-        (as_number(transform_left_filter_feature_0_choice_16) * 1048576) +
-        (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
-        (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
-        (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_196
-        when transform_filtering_0_column_inside_4 else transform_left_filter_feature_0_choice_196;
-      transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
-        (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
-        (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
-        (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
-        (as_number(transform_right_filter_feature_0_choice_40) * 8388608) + transform_right_filter_feature_0_choice_196
-        when transform_filtering_0_column_inside_4 else transform_right_filter_feature_0_choice_196;
       transform_filtering_0_column_inside_0 <= transform_columns_column_inside_0;
       transform_filtering_0_column_inside_1 <= transform_columns_column_inside_1;
       transform_filtering_0_column_inside_2 <= transform_columns_column_inside_2;
@@ -3905,16 +5412,49 @@ begin
       transform_filtering_0_valid <= transform_columns_valid;
       transform_filtering_1_start_of_frame <= transform_filtering_0_start_of_frame;
       transform_filtering_1_valid <= transform_filtering_0_valid;
-      transform_counter_next_frame_choice := (transform_counter_group /= 641) and transform_counter_next_frame when
-        transform_counter_group_is_equal_2 else transform_counter_next_frame;
-      transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice when transform_counter_group_differs
-        else transform_counter_next_frame;
+      if in_valid and in_start_of_frame then
+        transform_counter_group <= transform_counter_group_choice * 128;
+      else
+        transform_counter_group <= transform_counter_group_choice_3;
+      end if;
+      if transform_filtering_0_column_inside_4 then
+        transform_left_filter_feature_0 <= (as_number(transform_left_filter_feature_0_choice_8) * 524288) +
+          (as_number(transform_left_filter_feature_0_choice_16) * 1048576) +
+          (as_number(transform_left_filter_feature_0_choice_24) * 2097152) +
+          (as_number(transform_left_filter_feature_0_choice_32) * 4194304) +
+          (as_number(transform_left_filter_feature_0_choice_40) * 8388608) + transform_left_filter_feature_0_choice_196;
+        transform_right_filter_feature_0 <= (as_number(transform_right_filter_feature_0_choice_8) * 524288) +
+          (as_number(transform_right_filter_feature_0_choice_16) * 1048576) +
+          (as_number(transform_right_filter_feature_0_choice_24) * 2097152) +
+          (as_number(transform_right_filter_feature_0_choice_32) * 4194304) +
+          (as_number(transform_right_filter_feature_0_choice_40) * 8388608) +
+          transform_right_filter_feature_0_choice_196;
+      else
+        transform_left_filter_feature_0 <= transform_left_filter_feature_0_choice_196;
+        transform_right_filter_feature_0 <= transform_right_filter_feature_0_choice_196;
+      end if;
+      if transform_counter_group_is_equal_2 then
+        transform_counter_next_frame_choice := (transform_counter_group /= 641) and transform_counter_next_frame;
+      else
+        transform_counter_next_frame_choice := transform_counter_next_frame;
+      end if;
+      if transform_counter_group_differs then
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame_choice;
+      else
+        transform_counter_next_frame_choice_2 := transform_counter_next_frame;
+      end if;
       if in_valid then
-        transform_counter_column <= 0 when in_start_of_frame or transform_counter_group_is_equal_2 else
-          (transform_counter_column + 1) mod 2048;
-        transform_counter_next_frame <= (not in_start_of_frame) or transform_counter_group_all when
-          transform_counter_next_frame_choice_2 else in_start_of_frame and transform_counter_group_is_equal and
-          transform_counter_group_is_equal_2;
+        if in_start_of_frame or transform_counter_group_is_equal_2 then
+          transform_counter_column <= 0;
+        else
+          transform_counter_column <= (transform_counter_column + 1) mod 2048;
+        end if;
+        if transform_counter_next_frame_choice_2 then
+          transform_counter_next_frame <= (not in_start_of_frame) or transform_counter_group_all;
+        else
+          transform_counter_next_frame <= in_start_of_frame and transform_counter_group_is_equal and
+            transform_counter_group_is_equal_2;
+        end if;
       end if;
       if transform_ready_valid then
         transform_left_rows_write_words_0 <= to_unsigned(transform_left_rows_ready_newest_0, 8) &
@@ -3924,11 +5464,6 @@ begin
         transform_write_column <= transform_ready_column;
       end if;
       if transform_columns_valid then
-        transform_left_filter_column_0_0 <= transform_left_column_0 when transform_columns_row_inside_0 else 0;
-        transform_left_filter_column_0_1 <= transform_left_column_1 when transform_columns_row_inside_1 else 0;
-        transform_left_filter_column_0_2 <= transform_left_column_2 when transform_columns_row_inside_2 else 0;
-        transform_left_filter_column_0_3 <= transform_left_column_3 when transform_columns_row_inside_3 else 0;
-        transform_left_filter_column_0_4 <= transform_left_column_4 when transform_columns_row_inside_4 else 0;
         transform_left_filter_column_1_0 <= transform_left_filter_column_0_0;
         transform_left_filter_column_1_1 <= transform_left_filter_column_0_1;
         transform_left_filter_column_1_2 <= transform_left_filter_column_0_2;
@@ -3949,11 +5484,6 @@ begin
         transform_left_filter_column_4_2 <= transform_left_filter_column_3_2;
         transform_left_filter_column_4_3 <= transform_left_filter_column_3_3;
         transform_left_filter_column_4_4 <= transform_left_filter_column_3_4;
-        transform_right_filter_column_0_0 <= transform_right_column_0 when transform_columns_row_inside_0 else 0;
-        transform_right_filter_column_0_1 <= transform_right_column_1 when transform_columns_row_inside_1 else 0;
-        transform_right_filter_column_0_2 <= transform_right_column_2 when transform_columns_row_inside_2 else 0;
-        transform_right_filter_column_0_3 <= transform_right_column_3 when transform_columns_row_inside_3 else 0;
-        transform_right_filter_column_0_4 <= transform_right_column_4 when transform_columns_row_inside_4 else 0;
         transform_right_filter_column_1_0 <= transform_right_filter_column_0_0;
         transform_right_filter_column_1_1 <= transform_right_filter_column_0_1;
         transform_right_filter_column_1_2 <= transform_right_filter_column_0_2;
@@ -3974,36 +5504,99 @@ begin
         transform_right_filter_column_4_2 <= transform_right_filter_column_3_2;
         transform_right_filter_column_4_3 <= transform_right_filter_column_3_3;
         transform_right_filter_column_4_4 <= transform_right_filter_column_3_4;
+        if transform_columns_row_inside_0 then
+          transform_left_filter_column_0_0 <= transform_left_column_0;
+          transform_right_filter_column_0_0 <= transform_right_column_0;
+        else
+          transform_left_filter_column_0_0 <= 0;
+          transform_right_filter_column_0_0 <= 0;
+        end if;
+        if transform_columns_row_inside_1 then
+          transform_left_filter_column_0_1 <= transform_left_column_1;
+          transform_right_filter_column_0_1 <= transform_right_column_1;
+        else
+          transform_left_filter_column_0_1 <= 0;
+          transform_right_filter_column_0_1 <= 0;
+        end if;
+        if transform_columns_row_inside_2 then
+          transform_left_filter_column_0_2 <= transform_left_column_2;
+          transform_right_filter_column_0_2 <= transform_right_column_2;
+        else
+          transform_left_filter_column_0_2 <= 0;
+          transform_right_filter_column_0_2 <= 0;
+        end if;
+        if transform_columns_row_inside_3 then
+          transform_left_filter_column_0_3 <= transform_left_column_3;
+          transform_right_filter_column_0_3 <= transform_right_column_3;
+        else
+          transform_left_filter_column_0_3 <= 0;
+          transform_right_filter_column_0_3 <= 0;
+        end if;
+        if transform_columns_row_inside_4 then
+          transform_left_filter_column_0_4 <= transform_left_column_4;
+          transform_right_filter_column_0_4 <= transform_right_column_4;
+        else
+          transform_left_filter_column_0_4 <= 0;
+          transform_right_filter_column_0_4 <= 0;
+        end if;
       end if;
       -- raster
       raster_place_group_is_equal := raster_place_group = 639;
       raster_place_group_is_equal_2 := raster_place_column = 1299;
       raster_place_group_all := raster_place_group_is_equal and raster_place_group_is_equal_2;
-      raster_place_group_choice := 5 when raster_place_group_all else 0;
+      if raster_place_group_all then
+        raster_place_group_choice := 5;
+      else
+        raster_place_group_choice := 0;
+      end if;
       raster_place_group_differs := raster_place_group /= 641;
-      raster_place_group_choice_2 := 1 when (raster_place_group = 640) and raster_place_next_frame else
-        (raster_place_group + 1) mod 1024;
-      raster_place_group_choice_3 := raster_place_group_choice_2 when raster_place_group_differs and
-        transform_filtering_1_valid and raster_place_group_is_equal_2 else raster_place_group;
-      raster_place_next_frame_choice := (raster_place_group /= 640) and raster_place_next_frame when
-        raster_place_group_is_equal_2 else raster_place_next_frame;
-      raster_place_next_frame_choice_2 := raster_place_next_frame_choice when raster_place_group_differs else
-        raster_place_next_frame;
-      raster_place_next_frame_choice_3 := transform_filtering_1_valid when raster_place_group_all else
-        transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
-      raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3 when raster_place_next_frame_choice_2 else
-        raster_place_group_is_equal and raster_place_group_is_equal_2 and transform_filtering_1_valid and
-        transform_filtering_1_start_of_frame;
+      if (raster_place_group = 640) and raster_place_next_frame then
+        raster_place_group_choice_2 := 1;
+      else
+        raster_place_group_choice_2 := (raster_place_group + 1) mod 1024;
+      end if;
+      if raster_place_group_differs and transform_filtering_1_valid and raster_place_group_is_equal_2 then
+        raster_place_group_choice_3 := raster_place_group_choice_2;
+      else
+        raster_place_group_choice_3 := raster_place_group;
+      end if;
+      if raster_place_group_is_equal_2 then
+        raster_place_next_frame_choice := (raster_place_group /= 640) and raster_place_next_frame;
+      else
+        raster_place_next_frame_choice := raster_place_next_frame;
+      end if;
+      if raster_place_group_differs then
+        raster_place_next_frame_choice_2 := raster_place_next_frame_choice;
+      else
+        raster_place_next_frame_choice_2 := raster_place_next_frame;
+      end if;
+      if raster_place_group_all then
+        raster_place_next_frame_choice_3 := transform_filtering_1_valid;
+      else
+        raster_place_next_frame_choice_3 := transform_filtering_1_valid and (not transform_filtering_1_start_of_frame);
+      end if;
+      if raster_place_next_frame_choice_2 then
+        raster_place_next_frame_choice_4 := raster_place_next_frame_choice_3;
+      else
+        raster_place_next_frame_choice_4 := raster_place_group_is_equal and raster_place_group_is_equal_2 and
+          transform_filtering_1_valid and transform_filtering_1_start_of_frame;
+      end if;
       raster_features_search_0 <= transform_right_filter_feature_0;
       raster_features_reference_0 <= transform_left_filter_feature_0;
       raster_features_valid <= transform_filtering_1_valid;
-      raster_place_group <= raster_place_group_choice * 128 when transform_filtering_1_valid and
-        transform_filtering_1_start_of_frame else raster_place_group_choice_3;
       raster_place_next_frame <= raster_place_next_frame_choice_4 or ((not transform_filtering_1_valid) and
         raster_place_next_frame);
+      if transform_filtering_1_valid and transform_filtering_1_start_of_frame then
+        raster_place_group <= raster_place_group_choice * 128;
+      else
+        raster_place_group <= raster_place_group_choice_3;
+      end if;
       if transform_filtering_1_valid then
-        raster_place_column <= 0 when transform_filtering_1_start_of_frame or raster_place_group_is_equal_2 else
-          (raster_place_column + 1) mod 2048;
+        if transform_filtering_1_start_of_frame or raster_place_group_is_equal_2 then
+          raster_place_column <= 0;
+        else
+          raster_place_column <= (raster_place_column + 1) mod 2048;
+        end if;
       end if;
       -- delay
       delay_row_inside_1_is_not_less := raster_place_group >= 1;
@@ -4056,12 +5649,6 @@ begin
       rows_ready_tag_output_column <= rows_read_tag_output_column;
       rows_ready_tag_start_of_frame <= rows_read_tag_start_of_frame;
       rows_ready_tag_end_of_line <= rows_read_tag_end_of_line;
-      rows_search_0 <= rows_search_rows_ready_words_0 when rows_ready_inside_0 else 0;
-      rows_search_1 <= rows_search_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_search_2 <= rows_search_rows_ready_newest_0 when rows_ready_inside_2 else 0;
-      rows_reference_0 <= rows_reference_rows_ready_words_0 when rows_ready_inside_0 else 0;
-      rows_reference_1 <= rows_reference_rows_ready_words_1 when rows_ready_inside_1 else 0;
-      rows_reference_2 <= rows_reference_rows_ready_newest_0 when rows_ready_inside_2 else 0;
       rows_tag_valid <= rows_ready_tag_valid;
       rows_tag_border_column <= rows_ready_tag_border_column;
       rows_tag_first_cost <= rows_ready_tag_first_cost;
@@ -4069,6 +5656,27 @@ begin
       rows_tag_output_column <= rows_ready_tag_output_column;
       rows_tag_start_of_frame <= rows_ready_tag_start_of_frame;
       rows_tag_end_of_line <= rows_ready_tag_end_of_line;
+      if rows_ready_inside_0 then
+        rows_search_0 <= rows_search_rows_ready_words_0;
+        rows_reference_0 <= rows_reference_rows_ready_words_0;
+      else
+        rows_search_0 <= 0;
+        rows_reference_0 <= 0;
+      end if;
+      if rows_ready_inside_1 then
+        rows_search_1 <= rows_search_rows_ready_words_1;
+        rows_reference_1 <= rows_reference_rows_ready_words_1;
+      else
+        rows_search_1 <= 0;
+        rows_reference_1 <= 0;
+      end if;
+      if rows_ready_inside_2 then
+        rows_search_2 <= rows_search_rows_ready_newest_0;
+        rows_reference_2 <= rows_reference_rows_ready_newest_0;
+      else
+        rows_search_2 <= 0;
+        rows_reference_2 <= 0;
+      end if;
       if rows_ready_tag_valid then
         rows_search_rows_write_words_0 <= rows_search_rows_ready_words_1;
         rows_search_rows_write_words_1 <= rows_search_rows_ready_newest_0;
@@ -5985,38 +7593,6 @@ begin
       slice0cost_pair_tag_output_column <= slice0cost_pixels_tag_output_column;
       slice0cost_pair_tag_start_of_frame <= slice0cost_pixels_tag_start_of_frame;
       slice0cost_pair_tag_end_of_line <= slice0cost_pixels_tag_end_of_line;
-      slice0cost_column_0_0 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_0 +
-        slice0cost_single_0_0;
-      slice0cost_column_0_1 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_1 +
-        slice0cost_single_0_1;
-      slice0cost_column_0_2 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_2 +
-        slice0cost_single_0_2;
-      slice0cost_column_0_3 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_3 +
-        slice0cost_single_0_3;
-      slice0cost_column_0_4 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_4 +
-        slice0cost_single_0_4;
-      slice0cost_column_0_5 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_5 +
-        slice0cost_single_0_5;
-      slice0cost_column_0_6 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_6 +
-        slice0cost_single_0_6;
-      slice0cost_column_0_7 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_7 +
-        slice0cost_single_0_7;
-      slice0cost_column_0_8 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_8 +
-        slice0cost_single_0_8;
-      slice0cost_column_0_9 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_9 +
-        slice0cost_single_0_9;
-      slice0cost_column_0_10 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_10 +
-        slice0cost_single_0_10;
-      slice0cost_column_0_11 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_11 +
-        slice0cost_single_0_11;
-      slice0cost_column_0_12 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_12 +
-        slice0cost_single_0_12;
-      slice0cost_column_0_13 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_13 +
-        slice0cost_single_0_13;
-      slice0cost_column_0_14 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_14 +
-        slice0cost_single_0_14;
-      slice0cost_column_0_15 <= 0 when slice0cost_pair_tag_border_column else slice0cost_pair_0_15 +
-        slice0cost_single_0_15;
       slice0cost_tag_valid <= slice0cost_pair_tag_valid;
       slice0cost_tag_border_column <= slice0cost_pair_tag_border_column;
       slice0cost_tag_first_cost <= slice0cost_pair_tag_first_cost;
@@ -6024,6 +7600,41 @@ begin
       slice0cost_tag_output_column <= slice0cost_pair_tag_output_column;
       slice0cost_tag_start_of_frame <= slice0cost_pair_tag_start_of_frame;
       slice0cost_tag_end_of_line <= slice0cost_pair_tag_end_of_line;
+      if slice0cost_pair_tag_border_column then
+        slice0cost_column_0_0 <= 0;
+        slice0cost_column_0_1 <= 0;
+        slice0cost_column_0_2 <= 0;
+        slice0cost_column_0_3 <= 0;
+        slice0cost_column_0_4 <= 0;
+        slice0cost_column_0_5 <= 0;
+        slice0cost_column_0_6 <= 0;
+        slice0cost_column_0_7 <= 0;
+        slice0cost_column_0_8 <= 0;
+        slice0cost_column_0_9 <= 0;
+        slice0cost_column_0_10 <= 0;
+        slice0cost_column_0_11 <= 0;
+        slice0cost_column_0_12 <= 0;
+        slice0cost_column_0_13 <= 0;
+        slice0cost_column_0_14 <= 0;
+        slice0cost_column_0_15 <= 0;
+      else
+        slice0cost_column_0_0 <= slice0cost_pair_0_0 + slice0cost_single_0_0;
+        slice0cost_column_0_1 <= slice0cost_pair_0_1 + slice0cost_single_0_1;
+        slice0cost_column_0_2 <= slice0cost_pair_0_2 + slice0cost_single_0_2;
+        slice0cost_column_0_3 <= slice0cost_pair_0_3 + slice0cost_single_0_3;
+        slice0cost_column_0_4 <= slice0cost_pair_0_4 + slice0cost_single_0_4;
+        slice0cost_column_0_5 <= slice0cost_pair_0_5 + slice0cost_single_0_5;
+        slice0cost_column_0_6 <= slice0cost_pair_0_6 + slice0cost_single_0_6;
+        slice0cost_column_0_7 <= slice0cost_pair_0_7 + slice0cost_single_0_7;
+        slice0cost_column_0_8 <= slice0cost_pair_0_8 + slice0cost_single_0_8;
+        slice0cost_column_0_9 <= slice0cost_pair_0_9 + slice0cost_single_0_9;
+        slice0cost_column_0_10 <= slice0cost_pair_0_10 + slice0cost_single_0_10;
+        slice0cost_column_0_11 <= slice0cost_pair_0_11 + slice0cost_single_0_11;
+        slice0cost_column_0_12 <= slice0cost_pair_0_12 + slice0cost_single_0_12;
+        slice0cost_column_0_13 <= slice0cost_pair_0_13 + slice0cost_single_0_13;
+        slice0cost_column_0_14 <= slice0cost_pair_0_14 + slice0cost_single_0_14;
+        slice0cost_column_0_15 <= slice0cost_pair_0_15 + slice0cost_single_0_15;
+      end if;
       -- slice0window
       if slice0cost_tag_valid then
         slice0window_partial_0_0_0 <= slice0cost_column_0_0;
@@ -8056,23 +9667,42 @@ begin
       slice1cost_single_0_13 <= slice1cost_pixels_cost_0_13;
       slice1cost_single_0_14 <= slice1cost_pixels_cost_0_14;
       slice1cost_single_0_15 <= slice1cost_pixels_cost_0_15;
-      slice1cost_column_0_0 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_0 + slice1cost_single_0_0;
-      slice1cost_column_0_1 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_1 + slice1cost_single_0_1;
-      slice1cost_column_0_2 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_2 + slice1cost_single_0_2;
-      slice1cost_column_0_3 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_3 + slice1cost_single_0_3;
-      slice1cost_column_0_4 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_4 + slice1cost_single_0_4;
-      slice1cost_column_0_5 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_5 + slice1cost_single_0_5;
-      slice1cost_column_0_6 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_6 + slice1cost_single_0_6;
-      slice1cost_column_0_7 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_7 + slice1cost_single_0_7;
-      slice1cost_column_0_8 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_8 + slice1cost_single_0_8;
-      slice1cost_column_0_9 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_9 + slice1cost_single_0_9;
-      slice1cost_column_0_10 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_10 + slice1cost_single_0_10;
-      slice1cost_column_0_11 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_11 + slice1cost_single_0_11;
-      slice1cost_column_0_12 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_12 + slice1cost_single_0_12;
-      slice1cost_column_0_13 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_13 + slice1cost_single_0_13;
-      slice1cost_column_0_14 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_14 + slice1cost_single_0_14;
-      slice1cost_column_0_15 <= 0 when slice0cost_tag_border_column else slice1cost_pair_0_15 + slice1cost_single_0_15;
       slice1cost_tag_border_column <= slice0cost_tag_border_column;
+      if slice0cost_tag_border_column then
+        slice1cost_column_0_0 <= 0;
+        slice1cost_column_0_1 <= 0;
+        slice1cost_column_0_2 <= 0;
+        slice1cost_column_0_3 <= 0;
+        slice1cost_column_0_4 <= 0;
+        slice1cost_column_0_5 <= 0;
+        slice1cost_column_0_6 <= 0;
+        slice1cost_column_0_7 <= 0;
+        slice1cost_column_0_8 <= 0;
+        slice1cost_column_0_9 <= 0;
+        slice1cost_column_0_10 <= 0;
+        slice1cost_column_0_11 <= 0;
+        slice1cost_column_0_12 <= 0;
+        slice1cost_column_0_13 <= 0;
+        slice1cost_column_0_14 <= 0;
+        slice1cost_column_0_15 <= 0;
+      else
+        slice1cost_column_0_0 <= slice1cost_pair_0_0 + slice1cost_single_0_0;
+        slice1cost_column_0_1 <= slice1cost_pair_0_1 + slice1cost_single_0_1;
+        slice1cost_column_0_2 <= slice1cost_pair_0_2 + slice1cost_single_0_2;
+        slice1cost_column_0_3 <= slice1cost_pair_0_3 + slice1cost_single_0_3;
+        slice1cost_column_0_4 <= slice1cost_pair_0_4 + slice1cost_single_0_4;
+        slice1cost_column_0_5 <= slice1cost_pair_0_5 + slice1cost_single_0_5;
+        slice1cost_column_0_6 <= slice1cost_pair_0_6 + slice1cost_single_0_6;
+        slice1cost_column_0_7 <= slice1cost_pair_0_7 + slice1cost_single_0_7;
+        slice1cost_column_0_8 <= slice1cost_pair_0_8 + slice1cost_single_0_8;
+        slice1cost_column_0_9 <= slice1cost_pair_0_9 + slice1cost_single_0_9;
+        slice1cost_column_0_10 <= slice1cost_pair_0_10 + slice1cost_single_0_10;
+        slice1cost_column_0_11 <= slice1cost_pair_0_11 + slice1cost_single_0_11;
+        slice1cost_column_0_12 <= slice1cost_pair_0_12 + slice1cost_single_0_12;
+        slice1cost_column_0_13 <= slice1cost_pair_0_13 + slice1cost_single_0_13;
+        slice1cost_column_0_14 <= slice1cost_pair_0_14 + slice1cost_single_0_14;
+        slice1cost_column_0_15 <= slice1cost_pair_0_15 + slice1cost_single_0_15;
+      end if;
       -- slice1window
       if slice0window_tag_valid then
         slice1window_partial_0_0_0 <= slice1cost_column_0_0;
@@ -10054,23 +11684,42 @@ begin
       slice2cost_single_0_13 <= slice2cost_pixels_cost_0_13;
       slice2cost_single_0_14 <= slice2cost_pixels_cost_0_14;
       slice2cost_single_0_15 <= slice2cost_pixels_cost_0_15;
-      slice2cost_column_0_0 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_0 + slice2cost_single_0_0;
-      slice2cost_column_0_1 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_1 + slice2cost_single_0_1;
-      slice2cost_column_0_2 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_2 + slice2cost_single_0_2;
-      slice2cost_column_0_3 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_3 + slice2cost_single_0_3;
-      slice2cost_column_0_4 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_4 + slice2cost_single_0_4;
-      slice2cost_column_0_5 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_5 + slice2cost_single_0_5;
-      slice2cost_column_0_6 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_6 + slice2cost_single_0_6;
-      slice2cost_column_0_7 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_7 + slice2cost_single_0_7;
-      slice2cost_column_0_8 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_8 + slice2cost_single_0_8;
-      slice2cost_column_0_9 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_9 + slice2cost_single_0_9;
-      slice2cost_column_0_10 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_10 + slice2cost_single_0_10;
-      slice2cost_column_0_11 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_11 + slice2cost_single_0_11;
-      slice2cost_column_0_12 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_12 + slice2cost_single_0_12;
-      slice2cost_column_0_13 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_13 + slice2cost_single_0_13;
-      slice2cost_column_0_14 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_14 + slice2cost_single_0_14;
-      slice2cost_column_0_15 <= 0 when slice1cost_tag_border_column else slice2cost_pair_0_15 + slice2cost_single_0_15;
       slice2cost_tag_border_column <= slice1cost_tag_border_column;
+      if slice1cost_tag_border_column then
+        slice2cost_column_0_0 <= 0;
+        slice2cost_column_0_1 <= 0;
+        slice2cost_column_0_2 <= 0;
+        slice2cost_column_0_3 <= 0;
+        slice2cost_column_0_4 <= 0;
+        slice2cost_column_0_5 <= 0;
+        slice2cost_column_0_6 <= 0;
+        slice2cost_column_0_7 <= 0;
+        slice2cost_column_0_8 <= 0;
+        slice2cost_column_0_9 <= 0;
+        slice2cost_column_0_10 <= 0;
+        slice2cost_column_0_11 <= 0;
+        slice2cost_column_0_12 <= 0;
+        slice2cost_column_0_13 <= 0;
+        slice2cost_column_0_14 <= 0;
+        slice2cost_column_0_15 <= 0;
+      else
+        slice2cost_column_0_0 <= slice2cost_pair_0_0 + slice2cost_single_0_0;
+        slice2cost_column_0_1 <= slice2cost_pair_0_1 + slice2cost_single_0_1;
+        slice2cost_column_0_2 <= slice2cost_pair_0_2 + slice2cost_single_0_2;
+        slice2cost_column_0_3 <= slice2cost_pair_0_3 + slice2cost_single_0_3;
+        slice2cost_column_0_4 <= slice2cost_pair_0_4 + slice2cost_single_0_4;
+        slice2cost_column_0_5 <= slice2cost_pair_0_5 + slice2cost_single_0_5;
+        slice2cost_column_0_6 <= slice2cost_pair_0_6 + slice2cost_single_0_6;
+        slice2cost_column_0_7 <= slice2cost_pair_0_7 + slice2cost_single_0_7;
+        slice2cost_column_0_8 <= slice2cost_pair_0_8 + slice2cost_single_0_8;
+        slice2cost_column_0_9 <= slice2cost_pair_0_9 + slice2cost_single_0_9;
+        slice2cost_column_0_10 <= slice2cost_pair_0_10 + slice2cost_single_0_10;
+        slice2cost_column_0_11 <= slice2cost_pair_0_11 + slice2cost_single_0_11;
+        slice2cost_column_0_12 <= slice2cost_pair_0_12 + slice2cost_single_0_12;
+        slice2cost_column_0_13 <= slice2cost_pair_0_13 + slice2cost_single_0_13;
+        slice2cost_column_0_14 <= slice2cost_pair_0_14 + slice2cost_single_0_14;
+        slice2cost_column_0_15 <= slice2cost_pair_0_15 + slice2cost_single_0_15;
+      end if;
       -- slice2window
       if slice0_tag_0_valid then
         slice2window_partial_0_0_0 <= slice2cost_column_0_0;
@@ -12033,22 +13682,41 @@ begin
       slice3cost_single_0_13 <= slice3cost_pixels_cost_0_13;
       slice3cost_single_0_14 <= slice3cost_pixels_cost_0_14;
       slice3cost_single_0_15 <= slice3cost_pixels_cost_0_15;
-      slice3cost_column_0_0 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_0 + slice3cost_single_0_0;
-      slice3cost_column_0_1 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_1 + slice3cost_single_0_1;
-      slice3cost_column_0_2 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_2 + slice3cost_single_0_2;
-      slice3cost_column_0_3 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_3 + slice3cost_single_0_3;
-      slice3cost_column_0_4 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_4 + slice3cost_single_0_4;
-      slice3cost_column_0_5 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_5 + slice3cost_single_0_5;
-      slice3cost_column_0_6 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_6 + slice3cost_single_0_6;
-      slice3cost_column_0_7 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_7 + slice3cost_single_0_7;
-      slice3cost_column_0_8 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_8 + slice3cost_single_0_8;
-      slice3cost_column_0_9 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_9 + slice3cost_single_0_9;
-      slice3cost_column_0_10 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_10 + slice3cost_single_0_10;
-      slice3cost_column_0_11 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_11 + slice3cost_single_0_11;
-      slice3cost_column_0_12 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_12 + slice3cost_single_0_12;
-      slice3cost_column_0_13 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_13 + slice3cost_single_0_13;
-      slice3cost_column_0_14 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_14 + slice3cost_single_0_14;
-      slice3cost_column_0_15 <= 0 when slice2cost_tag_border_column else slice3cost_pair_0_15 + slice3cost_single_0_15;
+      if slice2cost_tag_border_column then
+        slice3cost_column_0_0 <= 0;
+        slice3cost_column_0_1 <= 0;
+        slice3cost_column_0_2 <= 0;
+        slice3cost_column_0_3 <= 0;
+        slice3cost_column_0_4 <= 0;
+        slice3cost_column_0_5 <= 0;
+        slice3cost_column_0_6 <= 0;
+        slice3cost_column_0_7 <= 0;
+        slice3cost_column_0_8 <= 0;
+        slice3cost_column_0_9 <= 0;
+        slice3cost_column_0_10 <= 0;
+        slice3cost_column_0_11 <= 0;
+        slice3cost_column_0_12 <= 0;
+        slice3cost_column_0_13 <= 0;
+        slice3cost_column_0_14 <= 0;
+        slice3cost_column_0_15 <= 0;
+      else
+        slice3cost_column_0_0 <= slice3cost_pair_0_0 + slice3cost_single_0_0;
+        slice3cost_column_0_1 <= slice3cost_pair_0_1 + slice3cost_single_0_1;
+        slice3cost_column_0_2 <= slice3cost_pair_0_2 + slice3cost_single_0_2;
+        slice3cost_column_0_3 <= slice3cost_pair_0_3 + slice3cost_single_0_3;
+        slice3cost_column_0_4 <= slice3cost_pair_0_4 + slice3cost_single_0_4;
+        slice3cost_column_0_5 <= slice3cost_pair_0_5 + slice3cost_single_0_5;
+        slice3cost_column_0_6 <= slice3cost_pair_0_6 + slice3cost_single_0_6;
+        slice3cost_column_0_7 <= slice3cost_pair_0_7 + slice3cost_single_0_7;
+        slice3cost_column_0_8 <= slice3cost_pair_0_8 + slice3cost_single_0_8;
+        slice3cost_column_0_9 <= slice3cost_pair_0_9 + slice3cost_single_0_9;
+        slice3cost_column_0_10 <= slice3cost_pair_0_10 + slice3cost_single_0_10;
+        slice3cost_column_0_11 <= slice3cost_pair_0_11 + slice3cost_single_0_11;
+        slice3cost_column_0_12 <= slice3cost_pair_0_12 + slice3cost_single_0_12;
+        slice3cost_column_0_13 <= slice3cost_pair_0_13 + slice3cost_single_0_13;
+        slice3cost_column_0_14 <= slice3cost_pair_0_14 + slice3cost_single_0_14;
+        slice3cost_column_0_15 <= slice3cost_pair_0_15 + slice3cost_single_0_15;
+      end if;
       -- slice3window
       if slice0_tag_1_valid then
         slice3window_partial_0_0_0 <= slice3cost_column_0_0;
@@ -12121,8 +13789,11 @@ begin
       entry_order_falls_any := (not slice0_tag_3_valid) or (not slice0_tag_3_map_column) or entry_order_inside;
       entry_order_falls_all := slice0_tag_3_valid and slice0_tag_3_map_column and (not entry_order_inside);
       entry_order_complete_any := (not slice0_tag_3_valid) or (not slice0_tag_3_map_column);
-      entry_order_turned_output_column_choice := entry_order_output and entry_order_complete when entry_order_falls_all
-        else entry_order_held_output;
+      if entry_order_falls_all then
+        entry_order_turned_output_column_choice := entry_order_output and entry_order_complete;
+      else
+        entry_order_turned_output_column_choice := entry_order_held_output;
+      end if;
       entry_next_cost_0 <= slice0_held_3_0;
       entry_next_cost_1 <= slice0_held_3_1;
       entry_next_cost_2 <= slice0_held_3_2;
@@ -12191,9 +13862,6 @@ begin
       entry_next_tag_map_column <= slice0_tag_3_map_column;
       entry_next_tag_first_column <= slice0_tag_3_first_column;
       entry_next_tag_end_of_line <= slice0_tag_3_end_of_line;
-      entry_order_falls <= entry_order_falls_any when entry_order_falls else entry_order_falls_all;
-      entry_order_complete <= entry_order_complete or (slice0_tag_3_valid and slice0_tag_3_map_column) when
-        slice0_tag_3_end_of_line else entry_order_complete and entry_order_complete_any;
       entry_order_turned_output_column <= entry_order_turned_output_column_choice and slice0_tag_3_map_column;
       entry_order_turned_start_of_frame <= slice0_tag_3_valid and slice0_tag_3_map_column and (not entry_order_inside)
         and entry_next_top and entry_order_output and entry_order_complete;
@@ -12268,16 +13936,37 @@ begin
       entry_place <= entry_order_address;
       entry_turned_output_column <= entry_order_turned_output_column;
       entry_turned_start_of_frame <= entry_order_turned_start_of_frame;
+      if entry_order_falls then
+        entry_order_falls <= entry_order_falls_any;
+      else
+        entry_order_falls <= entry_order_falls_all;
+      end if;
+      if slice0_tag_3_end_of_line then
+        entry_order_complete <= entry_order_complete or (slice0_tag_3_valid and slice0_tag_3_map_column);
+      else
+        entry_order_complete <= entry_order_complete and entry_order_complete_any;
+      end if;
       if entry_order_falls_all then
         entry_next_top <= slice0_tag_3_start_of_frame;
         entry_order_output <= slice0_tag_3_output_column;
         entry_order_held_output <= entry_order_output and entry_order_complete;
       end if;
-      entry_order_address_choice := 2047 when entry_order_falls else 1;
-      entry_order_address_choice_2 := 0 when entry_order_falls else 309;
+      if entry_order_falls then
+        entry_order_address_choice := 2047;
+      else
+        entry_order_address_choice := 1;
+      end if;
+      if entry_order_falls then
+        entry_order_address_choice_2 := 0;
+      else
+        entry_order_address_choice_2 := 309;
+      end if;
       if not entry_order_complete_any then
-        entry_order_address <= (entry_order_address_choice + entry_order_address) mod 2048 when entry_order_falls_any
-          else entry_order_address_choice_2 * 4;
+        if entry_order_falls_any then
+          entry_order_address <= (entry_order_address_choice + entry_order_address) mod 2048;
+        else
+          entry_order_address <= entry_order_address_choice_2 * 4;
+        end if;
       end if;
       if slice0_tag_3_valid then
         entry_order_inside <= slice0_tag_3_map_column;
@@ -12348,617 +14037,2073 @@ begin
       forward_pair_cost_62_sum := entry_cost_62 + forward_next_cost_62;
       forward_pair_cost_63_sum := entry_cost_63 + forward_next_cost_63;
       forward_path_0_value := (((forward_dropped_0 - forward_stayed_0) mod 2048) / 1024) = 1;
-      forward_path_0_choice := forward_dropped_0 when forward_path_0_value else forward_stayed_0;
-      forward_path_0_choice_2 := 0 when forward_next_first else forward_path_0_choice;
+      if forward_path_0_value then
+        forward_path_0_choice := forward_dropped_0;
+      else
+        forward_path_0_choice := forward_stayed_0;
+      end if;
+      if forward_next_first then
+        forward_path_0_choice_2 := 0;
+      else
+        forward_path_0_choice_2 := forward_path_0_choice;
+      end if;
       forward_path_1_any := (not ((((forward_occluding_0 - forward_stayed_1) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_0 - forward_dropped_1) mod 2048) / 1024) = 1));
       forward_path_1_value := (((forward_dropped_1 - forward_stayed_1) mod 2048) / 1024) = 1;
-      forward_path_1_choice := forward_dropped_1 when forward_path_1_value else forward_stayed_1;
-      forward_path_1_choice_2 := forward_path_1_choice when forward_path_1_any else forward_occluding_0;
-      forward_path_1_choice_3 := 0 when forward_next_first else forward_path_1_choice_2;
+      if forward_path_1_value then
+        forward_path_1_choice := forward_dropped_1;
+      else
+        forward_path_1_choice := forward_stayed_1;
+      end if;
+      if forward_path_1_any then
+        forward_path_1_choice_2 := forward_path_1_choice;
+      else
+        forward_path_1_choice_2 := forward_occluding_0;
+      end if;
+      if forward_next_first then
+        forward_path_1_choice_3 := 0;
+      else
+        forward_path_1_choice_3 := forward_path_1_choice_2;
+      end if;
       forward_path_2_any := (not ((((forward_occluding_1 - forward_stayed_2) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_1 - forward_dropped_2) mod 2048) / 1024) = 1));
       forward_path_2_value := (((forward_dropped_2 - forward_stayed_2) mod 2048) / 1024) = 1;
-      forward_path_2_choice := forward_dropped_2 when forward_path_2_value else forward_stayed_2;
-      forward_path_2_choice_2 := forward_path_2_choice when forward_path_2_any else forward_occluding_1;
-      forward_path_2_choice_3 := 0 when forward_next_first else forward_path_2_choice_2;
+      if forward_path_2_value then
+        forward_path_2_choice := forward_dropped_2;
+      else
+        forward_path_2_choice := forward_stayed_2;
+      end if;
+      if forward_path_2_any then
+        forward_path_2_choice_2 := forward_path_2_choice;
+      else
+        forward_path_2_choice_2 := forward_occluding_1;
+      end if;
+      if forward_next_first then
+        forward_path_2_choice_3 := 0;
+      else
+        forward_path_2_choice_3 := forward_path_2_choice_2;
+      end if;
       forward_path_3_any := (not ((((forward_occluding_2 - forward_stayed_3) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_2 - forward_dropped_3) mod 2048) / 1024) = 1));
       forward_path_3_value := (((forward_dropped_3 - forward_stayed_3) mod 2048) / 1024) = 1;
-      forward_path_3_choice := forward_dropped_3 when forward_path_3_value else forward_stayed_3;
-      forward_path_3_choice_2 := forward_path_3_choice when forward_path_3_any else forward_occluding_2;
-      forward_path_3_choice_3 := 0 when forward_next_first else forward_path_3_choice_2;
+      if forward_path_3_value then
+        forward_path_3_choice := forward_dropped_3;
+      else
+        forward_path_3_choice := forward_stayed_3;
+      end if;
+      if forward_path_3_any then
+        forward_path_3_choice_2 := forward_path_3_choice;
+      else
+        forward_path_3_choice_2 := forward_occluding_2;
+      end if;
+      if forward_next_first then
+        forward_path_3_choice_3 := 0;
+      else
+        forward_path_3_choice_3 := forward_path_3_choice_2;
+      end if;
       forward_path_4_any := (not ((((forward_occluding_3 - forward_stayed_4) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_3 - forward_dropped_4) mod 2048) / 1024) = 1));
       forward_path_4_value := (((forward_dropped_4 - forward_stayed_4) mod 2048) / 1024) = 1;
-      forward_path_4_choice := forward_dropped_4 when forward_path_4_value else forward_stayed_4;
-      forward_path_4_choice_2 := forward_path_4_choice when forward_path_4_any else forward_occluding_3;
-      forward_path_4_choice_3 := 0 when forward_next_first else forward_path_4_choice_2;
+      if forward_path_4_value then
+        forward_path_4_choice := forward_dropped_4;
+      else
+        forward_path_4_choice := forward_stayed_4;
+      end if;
+      if forward_path_4_any then
+        forward_path_4_choice_2 := forward_path_4_choice;
+      else
+        forward_path_4_choice_2 := forward_occluding_3;
+      end if;
+      if forward_next_first then
+        forward_path_4_choice_3 := 0;
+      else
+        forward_path_4_choice_3 := forward_path_4_choice_2;
+      end if;
       forward_path_5_any := (not ((((forward_occluding_4 - forward_stayed_5) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_4 - forward_dropped_5) mod 2048) / 1024) = 1));
       forward_path_5_value := (((forward_dropped_5 - forward_stayed_5) mod 2048) / 1024) = 1;
-      forward_path_5_choice := forward_dropped_5 when forward_path_5_value else forward_stayed_5;
-      forward_path_5_choice_2 := forward_path_5_choice when forward_path_5_any else forward_occluding_4;
-      forward_path_5_choice_3 := 0 when forward_next_first else forward_path_5_choice_2;
+      if forward_path_5_value then
+        forward_path_5_choice := forward_dropped_5;
+      else
+        forward_path_5_choice := forward_stayed_5;
+      end if;
+      if forward_path_5_any then
+        forward_path_5_choice_2 := forward_path_5_choice;
+      else
+        forward_path_5_choice_2 := forward_occluding_4;
+      end if;
+      if forward_next_first then
+        forward_path_5_choice_3 := 0;
+      else
+        forward_path_5_choice_3 := forward_path_5_choice_2;
+      end if;
       forward_path_6_any := (not ((((forward_occluding_5 - forward_stayed_6) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_5 - forward_dropped_6) mod 2048) / 1024) = 1));
       forward_path_6_value := (((forward_dropped_6 - forward_stayed_6) mod 2048) / 1024) = 1;
-      forward_path_6_choice := forward_dropped_6 when forward_path_6_value else forward_stayed_6;
-      forward_path_6_choice_2 := forward_path_6_choice when forward_path_6_any else forward_occluding_5;
-      forward_path_6_choice_3 := 0 when forward_next_first else forward_path_6_choice_2;
+      if forward_path_6_value then
+        forward_path_6_choice := forward_dropped_6;
+      else
+        forward_path_6_choice := forward_stayed_6;
+      end if;
+      if forward_path_6_any then
+        forward_path_6_choice_2 := forward_path_6_choice;
+      else
+        forward_path_6_choice_2 := forward_occluding_5;
+      end if;
+      if forward_next_first then
+        forward_path_6_choice_3 := 0;
+      else
+        forward_path_6_choice_3 := forward_path_6_choice_2;
+      end if;
       forward_path_7_any := (not ((((forward_occluding_6 - forward_stayed_7) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_6 - forward_dropped_7) mod 2048) / 1024) = 1));
       forward_path_7_value := (((forward_dropped_7 - forward_stayed_7) mod 2048) / 1024) = 1;
-      forward_path_7_choice := forward_dropped_7 when forward_path_7_value else forward_stayed_7;
-      forward_path_7_choice_2 := forward_path_7_choice when forward_path_7_any else forward_occluding_6;
-      forward_path_7_choice_3 := 0 when forward_next_first else forward_path_7_choice_2;
+      if forward_path_7_value then
+        forward_path_7_choice := forward_dropped_7;
+      else
+        forward_path_7_choice := forward_stayed_7;
+      end if;
+      if forward_path_7_any then
+        forward_path_7_choice_2 := forward_path_7_choice;
+      else
+        forward_path_7_choice_2 := forward_occluding_6;
+      end if;
+      if forward_next_first then
+        forward_path_7_choice_3 := 0;
+      else
+        forward_path_7_choice_3 := forward_path_7_choice_2;
+      end if;
       forward_path_8_any := (not ((((forward_occluding_7 - forward_stayed_8) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_7 - forward_dropped_8) mod 2048) / 1024) = 1));
       forward_path_8_value := (((forward_dropped_8 - forward_stayed_8) mod 2048) / 1024) = 1;
-      forward_path_8_choice := forward_dropped_8 when forward_path_8_value else forward_stayed_8;
-      forward_path_8_choice_2 := forward_path_8_choice when forward_path_8_any else forward_occluding_7;
-      forward_path_8_choice_3 := 0 when forward_next_first else forward_path_8_choice_2;
+      if forward_path_8_value then
+        forward_path_8_choice := forward_dropped_8;
+      else
+        forward_path_8_choice := forward_stayed_8;
+      end if;
+      if forward_path_8_any then
+        forward_path_8_choice_2 := forward_path_8_choice;
+      else
+        forward_path_8_choice_2 := forward_occluding_7;
+      end if;
+      if forward_next_first then
+        forward_path_8_choice_3 := 0;
+      else
+        forward_path_8_choice_3 := forward_path_8_choice_2;
+      end if;
       forward_path_9_any := (not ((((forward_occluding_8 - forward_stayed_9) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_8 - forward_dropped_9) mod 2048) / 1024) = 1));
       forward_path_9_value := (((forward_dropped_9 - forward_stayed_9) mod 2048) / 1024) = 1;
-      forward_path_9_choice := forward_dropped_9 when forward_path_9_value else forward_stayed_9;
-      forward_path_9_choice_2 := forward_path_9_choice when forward_path_9_any else forward_occluding_8;
-      forward_path_9_choice_3 := 0 when forward_next_first else forward_path_9_choice_2;
+      if forward_path_9_value then
+        forward_path_9_choice := forward_dropped_9;
+      else
+        forward_path_9_choice := forward_stayed_9;
+      end if;
+      if forward_path_9_any then
+        forward_path_9_choice_2 := forward_path_9_choice;
+      else
+        forward_path_9_choice_2 := forward_occluding_8;
+      end if;
+      if forward_next_first then
+        forward_path_9_choice_3 := 0;
+      else
+        forward_path_9_choice_3 := forward_path_9_choice_2;
+      end if;
       forward_path_10_any := (not ((((forward_occluding_9 - forward_stayed_10) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_9 - forward_dropped_10) mod 2048) / 1024) = 1));
       forward_path_10_value := (((forward_dropped_10 - forward_stayed_10) mod 2048) / 1024) = 1;
-      forward_path_10_choice := forward_dropped_10 when forward_path_10_value else forward_stayed_10;
-      forward_path_10_choice_2 := forward_path_10_choice when forward_path_10_any else forward_occluding_9;
-      forward_path_10_choice_3 := 0 when forward_next_first else forward_path_10_choice_2;
+      if forward_path_10_value then
+        forward_path_10_choice := forward_dropped_10;
+      else
+        forward_path_10_choice := forward_stayed_10;
+      end if;
+      if forward_path_10_any then
+        forward_path_10_choice_2 := forward_path_10_choice;
+      else
+        forward_path_10_choice_2 := forward_occluding_9;
+      end if;
+      if forward_next_first then
+        forward_path_10_choice_3 := 0;
+      else
+        forward_path_10_choice_3 := forward_path_10_choice_2;
+      end if;
       forward_path_11_any := (not ((((forward_occluding_10 - forward_stayed_11) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_10 - forward_dropped_11) mod 2048) / 1024) = 1));
       forward_path_11_value := (((forward_dropped_11 - forward_stayed_11) mod 2048) / 1024) = 1;
-      forward_path_11_choice := forward_dropped_11 when forward_path_11_value else forward_stayed_11;
-      forward_path_11_choice_2 := forward_path_11_choice when forward_path_11_any else forward_occluding_10;
-      forward_path_11_choice_3 := 0 when forward_next_first else forward_path_11_choice_2;
+      if forward_path_11_value then
+        forward_path_11_choice := forward_dropped_11;
+      else
+        forward_path_11_choice := forward_stayed_11;
+      end if;
+      if forward_path_11_any then
+        forward_path_11_choice_2 := forward_path_11_choice;
+      else
+        forward_path_11_choice_2 := forward_occluding_10;
+      end if;
+      if forward_next_first then
+        forward_path_11_choice_3 := 0;
+      else
+        forward_path_11_choice_3 := forward_path_11_choice_2;
+      end if;
       forward_path_12_any := (not ((((forward_occluding_11 - forward_stayed_12) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_11 - forward_dropped_12) mod 2048) / 1024) = 1));
       forward_path_12_value := (((forward_dropped_12 - forward_stayed_12) mod 2048) / 1024) = 1;
-      forward_path_12_choice := forward_dropped_12 when forward_path_12_value else forward_stayed_12;
-      forward_path_12_choice_2 := forward_path_12_choice when forward_path_12_any else forward_occluding_11;
-      forward_path_12_choice_3 := 0 when forward_next_first else forward_path_12_choice_2;
+      if forward_path_12_value then
+        forward_path_12_choice := forward_dropped_12;
+      else
+        forward_path_12_choice := forward_stayed_12;
+      end if;
+      if forward_path_12_any then
+        forward_path_12_choice_2 := forward_path_12_choice;
+      else
+        forward_path_12_choice_2 := forward_occluding_11;
+      end if;
+      if forward_next_first then
+        forward_path_12_choice_3 := 0;
+      else
+        forward_path_12_choice_3 := forward_path_12_choice_2;
+      end if;
       forward_path_13_any := (not ((((forward_occluding_12 - forward_stayed_13) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_12 - forward_dropped_13) mod 2048) / 1024) = 1));
       forward_path_13_value := (((forward_dropped_13 - forward_stayed_13) mod 2048) / 1024) = 1;
-      forward_path_13_choice := forward_dropped_13 when forward_path_13_value else forward_stayed_13;
-      forward_path_13_choice_2 := forward_path_13_choice when forward_path_13_any else forward_occluding_12;
-      forward_path_13_choice_3 := 0 when forward_next_first else forward_path_13_choice_2;
+      if forward_path_13_value then
+        forward_path_13_choice := forward_dropped_13;
+      else
+        forward_path_13_choice := forward_stayed_13;
+      end if;
+      if forward_path_13_any then
+        forward_path_13_choice_2 := forward_path_13_choice;
+      else
+        forward_path_13_choice_2 := forward_occluding_12;
+      end if;
+      if forward_next_first then
+        forward_path_13_choice_3 := 0;
+      else
+        forward_path_13_choice_3 := forward_path_13_choice_2;
+      end if;
       forward_path_14_any := (not ((((forward_occluding_13 - forward_stayed_14) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_13 - forward_dropped_14) mod 2048) / 1024) = 1));
       forward_path_14_value := (((forward_dropped_14 - forward_stayed_14) mod 2048) / 1024) = 1;
-      forward_path_14_choice := forward_dropped_14 when forward_path_14_value else forward_stayed_14;
-      forward_path_14_choice_2 := forward_path_14_choice when forward_path_14_any else forward_occluding_13;
-      forward_path_14_choice_3 := 0 when forward_next_first else forward_path_14_choice_2;
+      if forward_path_14_value then
+        forward_path_14_choice := forward_dropped_14;
+      else
+        forward_path_14_choice := forward_stayed_14;
+      end if;
+      if forward_path_14_any then
+        forward_path_14_choice_2 := forward_path_14_choice;
+      else
+        forward_path_14_choice_2 := forward_occluding_13;
+      end if;
+      if forward_next_first then
+        forward_path_14_choice_3 := 0;
+      else
+        forward_path_14_choice_3 := forward_path_14_choice_2;
+      end if;
       forward_path_15_any := (not ((((forward_occluding_14 - forward_stayed_15) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_14 - forward_dropped_15) mod 2048) / 1024) = 1));
       forward_path_15_value := (((forward_dropped_15 - forward_stayed_15) mod 2048) / 1024) = 1;
-      forward_path_15_choice := forward_dropped_15 when forward_path_15_value else forward_stayed_15;
-      forward_path_15_choice_2 := forward_path_15_choice when forward_path_15_any else forward_occluding_14;
-      forward_path_15_choice_3 := 0 when forward_next_first else forward_path_15_choice_2;
+      if forward_path_15_value then
+        forward_path_15_choice := forward_dropped_15;
+      else
+        forward_path_15_choice := forward_stayed_15;
+      end if;
+      if forward_path_15_any then
+        forward_path_15_choice_2 := forward_path_15_choice;
+      else
+        forward_path_15_choice_2 := forward_occluding_14;
+      end if;
+      if forward_next_first then
+        forward_path_15_choice_3 := 0;
+      else
+        forward_path_15_choice_3 := forward_path_15_choice_2;
+      end if;
       forward_path_16_any := (not ((((forward_occluding_15 - forward_stayed_16) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_15 - forward_dropped_16) mod 2048) / 1024) = 1));
       forward_path_16_value := (((forward_dropped_16 - forward_stayed_16) mod 2048) / 1024) = 1;
-      forward_path_16_choice := forward_dropped_16 when forward_path_16_value else forward_stayed_16;
-      forward_path_16_choice_2 := forward_path_16_choice when forward_path_16_any else forward_occluding_15;
-      forward_path_16_choice_3 := 0 when forward_next_first else forward_path_16_choice_2;
+      if forward_path_16_value then
+        forward_path_16_choice := forward_dropped_16;
+      else
+        forward_path_16_choice := forward_stayed_16;
+      end if;
+      if forward_path_16_any then
+        forward_path_16_choice_2 := forward_path_16_choice;
+      else
+        forward_path_16_choice_2 := forward_occluding_15;
+      end if;
+      if forward_next_first then
+        forward_path_16_choice_3 := 0;
+      else
+        forward_path_16_choice_3 := forward_path_16_choice_2;
+      end if;
       forward_path_17_any := (not ((((forward_occluding_16 - forward_stayed_17) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_16 - forward_dropped_17) mod 2048) / 1024) = 1));
       forward_path_17_value := (((forward_dropped_17 - forward_stayed_17) mod 2048) / 1024) = 1;
-      forward_path_17_choice := forward_dropped_17 when forward_path_17_value else forward_stayed_17;
-      forward_path_17_choice_2 := forward_path_17_choice when forward_path_17_any else forward_occluding_16;
-      forward_path_17_choice_3 := 0 when forward_next_first else forward_path_17_choice_2;
+      if forward_path_17_value then
+        forward_path_17_choice := forward_dropped_17;
+      else
+        forward_path_17_choice := forward_stayed_17;
+      end if;
+      if forward_path_17_any then
+        forward_path_17_choice_2 := forward_path_17_choice;
+      else
+        forward_path_17_choice_2 := forward_occluding_16;
+      end if;
+      if forward_next_first then
+        forward_path_17_choice_3 := 0;
+      else
+        forward_path_17_choice_3 := forward_path_17_choice_2;
+      end if;
       forward_path_18_any := (not ((((forward_occluding_17 - forward_stayed_18) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_17 - forward_dropped_18) mod 2048) / 1024) = 1));
       forward_path_18_value := (((forward_dropped_18 - forward_stayed_18) mod 2048) / 1024) = 1;
-      forward_path_18_choice := forward_dropped_18 when forward_path_18_value else forward_stayed_18;
-      forward_path_18_choice_2 := forward_path_18_choice when forward_path_18_any else forward_occluding_17;
-      forward_path_18_choice_3 := 0 when forward_next_first else forward_path_18_choice_2;
+      if forward_path_18_value then
+        forward_path_18_choice := forward_dropped_18;
+      else
+        forward_path_18_choice := forward_stayed_18;
+      end if;
+      if forward_path_18_any then
+        forward_path_18_choice_2 := forward_path_18_choice;
+      else
+        forward_path_18_choice_2 := forward_occluding_17;
+      end if;
+      if forward_next_first then
+        forward_path_18_choice_3 := 0;
+      else
+        forward_path_18_choice_3 := forward_path_18_choice_2;
+      end if;
       forward_path_19_any := (not ((((forward_occluding_18 - forward_stayed_19) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_18 - forward_dropped_19) mod 2048) / 1024) = 1));
       forward_path_19_value := (((forward_dropped_19 - forward_stayed_19) mod 2048) / 1024) = 1;
-      forward_path_19_choice := forward_dropped_19 when forward_path_19_value else forward_stayed_19;
-      forward_path_19_choice_2 := forward_path_19_choice when forward_path_19_any else forward_occluding_18;
-      forward_path_19_choice_3 := 0 when forward_next_first else forward_path_19_choice_2;
+      if forward_path_19_value then
+        forward_path_19_choice := forward_dropped_19;
+      else
+        forward_path_19_choice := forward_stayed_19;
+      end if;
+      if forward_path_19_any then
+        forward_path_19_choice_2 := forward_path_19_choice;
+      else
+        forward_path_19_choice_2 := forward_occluding_18;
+      end if;
+      if forward_next_first then
+        forward_path_19_choice_3 := 0;
+      else
+        forward_path_19_choice_3 := forward_path_19_choice_2;
+      end if;
       forward_path_20_any := (not ((((forward_occluding_19 - forward_stayed_20) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_19 - forward_dropped_20) mod 2048) / 1024) = 1));
       forward_path_20_value := (((forward_dropped_20 - forward_stayed_20) mod 2048) / 1024) = 1;
-      forward_path_20_choice := forward_dropped_20 when forward_path_20_value else forward_stayed_20;
-      forward_path_20_choice_2 := forward_path_20_choice when forward_path_20_any else forward_occluding_19;
-      forward_path_20_choice_3 := 0 when forward_next_first else forward_path_20_choice_2;
+      if forward_path_20_value then
+        forward_path_20_choice := forward_dropped_20;
+      else
+        forward_path_20_choice := forward_stayed_20;
+      end if;
+      if forward_path_20_any then
+        forward_path_20_choice_2 := forward_path_20_choice;
+      else
+        forward_path_20_choice_2 := forward_occluding_19;
+      end if;
+      if forward_next_first then
+        forward_path_20_choice_3 := 0;
+      else
+        forward_path_20_choice_3 := forward_path_20_choice_2;
+      end if;
       forward_path_21_any := (not ((((forward_occluding_20 - forward_stayed_21) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_20 - forward_dropped_21) mod 2048) / 1024) = 1));
       forward_path_21_value := (((forward_dropped_21 - forward_stayed_21) mod 2048) / 1024) = 1;
-      forward_path_21_choice := forward_dropped_21 when forward_path_21_value else forward_stayed_21;
-      forward_path_21_choice_2 := forward_path_21_choice when forward_path_21_any else forward_occluding_20;
-      forward_path_21_choice_3 := 0 when forward_next_first else forward_path_21_choice_2;
+      if forward_path_21_value then
+        forward_path_21_choice := forward_dropped_21;
+      else
+        forward_path_21_choice := forward_stayed_21;
+      end if;
+      if forward_path_21_any then
+        forward_path_21_choice_2 := forward_path_21_choice;
+      else
+        forward_path_21_choice_2 := forward_occluding_20;
+      end if;
+      if forward_next_first then
+        forward_path_21_choice_3 := 0;
+      else
+        forward_path_21_choice_3 := forward_path_21_choice_2;
+      end if;
       forward_path_22_any := (not ((((forward_occluding_21 - forward_stayed_22) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_21 - forward_dropped_22) mod 2048) / 1024) = 1));
       forward_path_22_value := (((forward_dropped_22 - forward_stayed_22) mod 2048) / 1024) = 1;
-      forward_path_22_choice := forward_dropped_22 when forward_path_22_value else forward_stayed_22;
-      forward_path_22_choice_2 := forward_path_22_choice when forward_path_22_any else forward_occluding_21;
-      forward_path_22_choice_3 := 0 when forward_next_first else forward_path_22_choice_2;
+      if forward_path_22_value then
+        forward_path_22_choice := forward_dropped_22;
+      else
+        forward_path_22_choice := forward_stayed_22;
+      end if;
+      if forward_path_22_any then
+        forward_path_22_choice_2 := forward_path_22_choice;
+      else
+        forward_path_22_choice_2 := forward_occluding_21;
+      end if;
+      if forward_next_first then
+        forward_path_22_choice_3 := 0;
+      else
+        forward_path_22_choice_3 := forward_path_22_choice_2;
+      end if;
       forward_path_23_any := (not ((((forward_occluding_22 - forward_stayed_23) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_22 - forward_dropped_23) mod 2048) / 1024) = 1));
       forward_path_23_value := (((forward_dropped_23 - forward_stayed_23) mod 2048) / 1024) = 1;
-      forward_path_23_choice := forward_dropped_23 when forward_path_23_value else forward_stayed_23;
-      forward_path_23_choice_2 := forward_path_23_choice when forward_path_23_any else forward_occluding_22;
-      forward_path_23_choice_3 := 0 when forward_next_first else forward_path_23_choice_2;
+      if forward_path_23_value then
+        forward_path_23_choice := forward_dropped_23;
+      else
+        forward_path_23_choice := forward_stayed_23;
+      end if;
+      if forward_path_23_any then
+        forward_path_23_choice_2 := forward_path_23_choice;
+      else
+        forward_path_23_choice_2 := forward_occluding_22;
+      end if;
+      if forward_next_first then
+        forward_path_23_choice_3 := 0;
+      else
+        forward_path_23_choice_3 := forward_path_23_choice_2;
+      end if;
       forward_path_24_any := (not ((((forward_occluding_23 - forward_stayed_24) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_23 - forward_dropped_24) mod 2048) / 1024) = 1));
       forward_path_24_value := (((forward_dropped_24 - forward_stayed_24) mod 2048) / 1024) = 1;
-      forward_path_24_choice := forward_dropped_24 when forward_path_24_value else forward_stayed_24;
-      forward_path_24_choice_2 := forward_path_24_choice when forward_path_24_any else forward_occluding_23;
-      forward_path_24_choice_3 := 0 when forward_next_first else forward_path_24_choice_2;
+      if forward_path_24_value then
+        forward_path_24_choice := forward_dropped_24;
+      else
+        forward_path_24_choice := forward_stayed_24;
+      end if;
+      if forward_path_24_any then
+        forward_path_24_choice_2 := forward_path_24_choice;
+      else
+        forward_path_24_choice_2 := forward_occluding_23;
+      end if;
+      if forward_next_first then
+        forward_path_24_choice_3 := 0;
+      else
+        forward_path_24_choice_3 := forward_path_24_choice_2;
+      end if;
       forward_path_25_any := (not ((((forward_occluding_24 - forward_stayed_25) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_24 - forward_dropped_25) mod 2048) / 1024) = 1));
       forward_path_25_value := (((forward_dropped_25 - forward_stayed_25) mod 2048) / 1024) = 1;
-      forward_path_25_choice := forward_dropped_25 when forward_path_25_value else forward_stayed_25;
-      forward_path_25_choice_2 := forward_path_25_choice when forward_path_25_any else forward_occluding_24;
-      forward_path_25_choice_3 := 0 when forward_next_first else forward_path_25_choice_2;
+      if forward_path_25_value then
+        forward_path_25_choice := forward_dropped_25;
+      else
+        forward_path_25_choice := forward_stayed_25;
+      end if;
+      if forward_path_25_any then
+        forward_path_25_choice_2 := forward_path_25_choice;
+      else
+        forward_path_25_choice_2 := forward_occluding_24;
+      end if;
+      if forward_next_first then
+        forward_path_25_choice_3 := 0;
+      else
+        forward_path_25_choice_3 := forward_path_25_choice_2;
+      end if;
       forward_path_26_any := (not ((((forward_occluding_25 - forward_stayed_26) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_25 - forward_dropped_26) mod 2048) / 1024) = 1));
       forward_path_26_value := (((forward_dropped_26 - forward_stayed_26) mod 2048) / 1024) = 1;
-      forward_path_26_choice := forward_dropped_26 when forward_path_26_value else forward_stayed_26;
-      forward_path_26_choice_2 := forward_path_26_choice when forward_path_26_any else forward_occluding_25;
-      forward_path_26_choice_3 := 0 when forward_next_first else forward_path_26_choice_2;
+      if forward_path_26_value then
+        forward_path_26_choice := forward_dropped_26;
+      else
+        forward_path_26_choice := forward_stayed_26;
+      end if;
+      if forward_path_26_any then
+        forward_path_26_choice_2 := forward_path_26_choice;
+      else
+        forward_path_26_choice_2 := forward_occluding_25;
+      end if;
+      if forward_next_first then
+        forward_path_26_choice_3 := 0;
+      else
+        forward_path_26_choice_3 := forward_path_26_choice_2;
+      end if;
       forward_path_27_any := (not ((((forward_occluding_26 - forward_stayed_27) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_26 - forward_dropped_27) mod 2048) / 1024) = 1));
       forward_path_27_value := (((forward_dropped_27 - forward_stayed_27) mod 2048) / 1024) = 1;
-      forward_path_27_choice := forward_dropped_27 when forward_path_27_value else forward_stayed_27;
-      forward_path_27_choice_2 := forward_path_27_choice when forward_path_27_any else forward_occluding_26;
-      forward_path_27_choice_3 := 0 when forward_next_first else forward_path_27_choice_2;
+      if forward_path_27_value then
+        forward_path_27_choice := forward_dropped_27;
+      else
+        forward_path_27_choice := forward_stayed_27;
+      end if;
+      if forward_path_27_any then
+        forward_path_27_choice_2 := forward_path_27_choice;
+      else
+        forward_path_27_choice_2 := forward_occluding_26;
+      end if;
+      if forward_next_first then
+        forward_path_27_choice_3 := 0;
+      else
+        forward_path_27_choice_3 := forward_path_27_choice_2;
+      end if;
       forward_path_28_any := (not ((((forward_occluding_27 - forward_stayed_28) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_27 - forward_dropped_28) mod 2048) / 1024) = 1));
       forward_path_28_value := (((forward_dropped_28 - forward_stayed_28) mod 2048) / 1024) = 1;
-      forward_path_28_choice := forward_dropped_28 when forward_path_28_value else forward_stayed_28;
-      forward_path_28_choice_2 := forward_path_28_choice when forward_path_28_any else forward_occluding_27;
-      forward_path_28_choice_3 := 0 when forward_next_first else forward_path_28_choice_2;
+      if forward_path_28_value then
+        forward_path_28_choice := forward_dropped_28;
+      else
+        forward_path_28_choice := forward_stayed_28;
+      end if;
+      if forward_path_28_any then
+        forward_path_28_choice_2 := forward_path_28_choice;
+      else
+        forward_path_28_choice_2 := forward_occluding_27;
+      end if;
+      if forward_next_first then
+        forward_path_28_choice_3 := 0;
+      else
+        forward_path_28_choice_3 := forward_path_28_choice_2;
+      end if;
       forward_path_29_any := (not ((((forward_occluding_28 - forward_stayed_29) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_28 - forward_dropped_29) mod 2048) / 1024) = 1));
       forward_path_29_value := (((forward_dropped_29 - forward_stayed_29) mod 2048) / 1024) = 1;
-      forward_path_29_choice := forward_dropped_29 when forward_path_29_value else forward_stayed_29;
-      forward_path_29_choice_2 := forward_path_29_choice when forward_path_29_any else forward_occluding_28;
-      forward_path_29_choice_3 := 0 when forward_next_first else forward_path_29_choice_2;
+      if forward_path_29_value then
+        forward_path_29_choice := forward_dropped_29;
+      else
+        forward_path_29_choice := forward_stayed_29;
+      end if;
+      if forward_path_29_any then
+        forward_path_29_choice_2 := forward_path_29_choice;
+      else
+        forward_path_29_choice_2 := forward_occluding_28;
+      end if;
+      if forward_next_first then
+        forward_path_29_choice_3 := 0;
+      else
+        forward_path_29_choice_3 := forward_path_29_choice_2;
+      end if;
       forward_path_30_any := (not ((((forward_occluding_29 - forward_stayed_30) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_29 - forward_dropped_30) mod 2048) / 1024) = 1));
       forward_path_30_value := (((forward_dropped_30 - forward_stayed_30) mod 2048) / 1024) = 1;
-      forward_path_30_choice := forward_dropped_30 when forward_path_30_value else forward_stayed_30;
-      forward_path_30_choice_2 := forward_path_30_choice when forward_path_30_any else forward_occluding_29;
-      forward_path_30_choice_3 := 0 when forward_next_first else forward_path_30_choice_2;
+      if forward_path_30_value then
+        forward_path_30_choice := forward_dropped_30;
+      else
+        forward_path_30_choice := forward_stayed_30;
+      end if;
+      if forward_path_30_any then
+        forward_path_30_choice_2 := forward_path_30_choice;
+      else
+        forward_path_30_choice_2 := forward_occluding_29;
+      end if;
+      if forward_next_first then
+        forward_path_30_choice_3 := 0;
+      else
+        forward_path_30_choice_3 := forward_path_30_choice_2;
+      end if;
       forward_path_31_any := (not ((((forward_occluding_30 - forward_stayed_31) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_30 - forward_dropped_31) mod 2048) / 1024) = 1));
       forward_path_31_value := (((forward_dropped_31 - forward_stayed_31) mod 2048) / 1024) = 1;
-      forward_path_31_choice := forward_dropped_31 when forward_path_31_value else forward_stayed_31;
-      forward_path_31_choice_2 := forward_path_31_choice when forward_path_31_any else forward_occluding_30;
-      forward_path_31_choice_3 := 0 when forward_next_first else forward_path_31_choice_2;
+      if forward_path_31_value then
+        forward_path_31_choice := forward_dropped_31;
+      else
+        forward_path_31_choice := forward_stayed_31;
+      end if;
+      if forward_path_31_any then
+        forward_path_31_choice_2 := forward_path_31_choice;
+      else
+        forward_path_31_choice_2 := forward_occluding_30;
+      end if;
+      if forward_next_first then
+        forward_path_31_choice_3 := 0;
+      else
+        forward_path_31_choice_3 := forward_path_31_choice_2;
+      end if;
       forward_path_32_any := (not ((((forward_occluding_31 - forward_stayed_32) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_31 - forward_dropped_32) mod 2048) / 1024) = 1));
       forward_path_32_value := (((forward_dropped_32 - forward_stayed_32) mod 2048) / 1024) = 1;
-      forward_path_32_choice := forward_dropped_32 when forward_path_32_value else forward_stayed_32;
-      forward_path_32_choice_2 := forward_path_32_choice when forward_path_32_any else forward_occluding_31;
-      forward_path_32_choice_3 := 0 when forward_next_first else forward_path_32_choice_2;
+      if forward_path_32_value then
+        forward_path_32_choice := forward_dropped_32;
+      else
+        forward_path_32_choice := forward_stayed_32;
+      end if;
+      if forward_path_32_any then
+        forward_path_32_choice_2 := forward_path_32_choice;
+      else
+        forward_path_32_choice_2 := forward_occluding_31;
+      end if;
+      if forward_next_first then
+        forward_path_32_choice_3 := 0;
+      else
+        forward_path_32_choice_3 := forward_path_32_choice_2;
+      end if;
       forward_path_33_any := (not ((((forward_occluding_32 - forward_stayed_33) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_32 - forward_dropped_33) mod 2048) / 1024) = 1));
       forward_path_33_value := (((forward_dropped_33 - forward_stayed_33) mod 2048) / 1024) = 1;
-      forward_path_33_choice := forward_dropped_33 when forward_path_33_value else forward_stayed_33;
-      forward_path_33_choice_2 := forward_path_33_choice when forward_path_33_any else forward_occluding_32;
-      forward_path_33_choice_3 := 0 when forward_next_first else forward_path_33_choice_2;
+      if forward_path_33_value then
+        forward_path_33_choice := forward_dropped_33;
+      else
+        forward_path_33_choice := forward_stayed_33;
+      end if;
+      if forward_path_33_any then
+        forward_path_33_choice_2 := forward_path_33_choice;
+      else
+        forward_path_33_choice_2 := forward_occluding_32;
+      end if;
+      if forward_next_first then
+        forward_path_33_choice_3 := 0;
+      else
+        forward_path_33_choice_3 := forward_path_33_choice_2;
+      end if;
       forward_path_34_any := (not ((((forward_occluding_33 - forward_stayed_34) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_33 - forward_dropped_34) mod 2048) / 1024) = 1));
       forward_path_34_value := (((forward_dropped_34 - forward_stayed_34) mod 2048) / 1024) = 1;
-      forward_path_34_choice := forward_dropped_34 when forward_path_34_value else forward_stayed_34;
-      forward_path_34_choice_2 := forward_path_34_choice when forward_path_34_any else forward_occluding_33;
-      forward_path_34_choice_3 := 0 when forward_next_first else forward_path_34_choice_2;
+      if forward_path_34_value then
+        forward_path_34_choice := forward_dropped_34;
+      else
+        forward_path_34_choice := forward_stayed_34;
+      end if;
+      if forward_path_34_any then
+        forward_path_34_choice_2 := forward_path_34_choice;
+      else
+        forward_path_34_choice_2 := forward_occluding_33;
+      end if;
+      if forward_next_first then
+        forward_path_34_choice_3 := 0;
+      else
+        forward_path_34_choice_3 := forward_path_34_choice_2;
+      end if;
       forward_path_35_any := (not ((((forward_occluding_34 - forward_stayed_35) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_34 - forward_dropped_35) mod 2048) / 1024) = 1));
       forward_path_35_value := (((forward_dropped_35 - forward_stayed_35) mod 2048) / 1024) = 1;
-      forward_path_35_choice := forward_dropped_35 when forward_path_35_value else forward_stayed_35;
-      forward_path_35_choice_2 := forward_path_35_choice when forward_path_35_any else forward_occluding_34;
-      forward_path_35_choice_3 := 0 when forward_next_first else forward_path_35_choice_2;
+      if forward_path_35_value then
+        forward_path_35_choice := forward_dropped_35;
+      else
+        forward_path_35_choice := forward_stayed_35;
+      end if;
+      if forward_path_35_any then
+        forward_path_35_choice_2 := forward_path_35_choice;
+      else
+        forward_path_35_choice_2 := forward_occluding_34;
+      end if;
+      if forward_next_first then
+        forward_path_35_choice_3 := 0;
+      else
+        forward_path_35_choice_3 := forward_path_35_choice_2;
+      end if;
       forward_path_36_any := (not ((((forward_occluding_35 - forward_stayed_36) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_35 - forward_dropped_36) mod 2048) / 1024) = 1));
       forward_path_36_value := (((forward_dropped_36 - forward_stayed_36) mod 2048) / 1024) = 1;
-      forward_path_36_choice := forward_dropped_36 when forward_path_36_value else forward_stayed_36;
-      forward_path_36_choice_2 := forward_path_36_choice when forward_path_36_any else forward_occluding_35;
-      forward_path_36_choice_3 := 0 when forward_next_first else forward_path_36_choice_2;
+      if forward_path_36_value then
+        forward_path_36_choice := forward_dropped_36;
+      else
+        forward_path_36_choice := forward_stayed_36;
+      end if;
+      if forward_path_36_any then
+        forward_path_36_choice_2 := forward_path_36_choice;
+      else
+        forward_path_36_choice_2 := forward_occluding_35;
+      end if;
+      if forward_next_first then
+        forward_path_36_choice_3 := 0;
+      else
+        forward_path_36_choice_3 := forward_path_36_choice_2;
+      end if;
       forward_path_37_any := (not ((((forward_occluding_36 - forward_stayed_37) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_36 - forward_dropped_37) mod 2048) / 1024) = 1));
       forward_path_37_value := (((forward_dropped_37 - forward_stayed_37) mod 2048) / 1024) = 1;
-      forward_path_37_choice := forward_dropped_37 when forward_path_37_value else forward_stayed_37;
-      forward_path_37_choice_2 := forward_path_37_choice when forward_path_37_any else forward_occluding_36;
-      forward_path_37_choice_3 := 0 when forward_next_first else forward_path_37_choice_2;
+      if forward_path_37_value then
+        forward_path_37_choice := forward_dropped_37;
+      else
+        forward_path_37_choice := forward_stayed_37;
+      end if;
+      if forward_path_37_any then
+        forward_path_37_choice_2 := forward_path_37_choice;
+      else
+        forward_path_37_choice_2 := forward_occluding_36;
+      end if;
+      if forward_next_first then
+        forward_path_37_choice_3 := 0;
+      else
+        forward_path_37_choice_3 := forward_path_37_choice_2;
+      end if;
       forward_path_38_any := (not ((((forward_occluding_37 - forward_stayed_38) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_37 - forward_dropped_38) mod 2048) / 1024) = 1));
       forward_path_38_value := (((forward_dropped_38 - forward_stayed_38) mod 2048) / 1024) = 1;
-      forward_path_38_choice := forward_dropped_38 when forward_path_38_value else forward_stayed_38;
-      forward_path_38_choice_2 := forward_path_38_choice when forward_path_38_any else forward_occluding_37;
-      forward_path_38_choice_3 := 0 when forward_next_first else forward_path_38_choice_2;
+      if forward_path_38_value then
+        forward_path_38_choice := forward_dropped_38;
+      else
+        forward_path_38_choice := forward_stayed_38;
+      end if;
+      if forward_path_38_any then
+        forward_path_38_choice_2 := forward_path_38_choice;
+      else
+        forward_path_38_choice_2 := forward_occluding_37;
+      end if;
+      if forward_next_first then
+        forward_path_38_choice_3 := 0;
+      else
+        forward_path_38_choice_3 := forward_path_38_choice_2;
+      end if;
       forward_path_39_any := (not ((((forward_occluding_38 - forward_stayed_39) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_38 - forward_dropped_39) mod 2048) / 1024) = 1));
       forward_path_39_value := (((forward_dropped_39 - forward_stayed_39) mod 2048) / 1024) = 1;
-      forward_path_39_choice := forward_dropped_39 when forward_path_39_value else forward_stayed_39;
-      forward_path_39_choice_2 := forward_path_39_choice when forward_path_39_any else forward_occluding_38;
-      forward_path_39_choice_3 := 0 when forward_next_first else forward_path_39_choice_2;
+      if forward_path_39_value then
+        forward_path_39_choice := forward_dropped_39;
+      else
+        forward_path_39_choice := forward_stayed_39;
+      end if;
+      if forward_path_39_any then
+        forward_path_39_choice_2 := forward_path_39_choice;
+      else
+        forward_path_39_choice_2 := forward_occluding_38;
+      end if;
+      if forward_next_first then
+        forward_path_39_choice_3 := 0;
+      else
+        forward_path_39_choice_3 := forward_path_39_choice_2;
+      end if;
       forward_path_40_any := (not ((((forward_occluding_39 - forward_stayed_40) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_39 - forward_dropped_40) mod 2048) / 1024) = 1));
       forward_path_40_value := (((forward_dropped_40 - forward_stayed_40) mod 2048) / 1024) = 1;
-      forward_path_40_choice := forward_dropped_40 when forward_path_40_value else forward_stayed_40;
-      forward_path_40_choice_2 := forward_path_40_choice when forward_path_40_any else forward_occluding_39;
-      forward_path_40_choice_3 := 0 when forward_next_first else forward_path_40_choice_2;
+      if forward_path_40_value then
+        forward_path_40_choice := forward_dropped_40;
+      else
+        forward_path_40_choice := forward_stayed_40;
+      end if;
+      if forward_path_40_any then
+        forward_path_40_choice_2 := forward_path_40_choice;
+      else
+        forward_path_40_choice_2 := forward_occluding_39;
+      end if;
+      if forward_next_first then
+        forward_path_40_choice_3 := 0;
+      else
+        forward_path_40_choice_3 := forward_path_40_choice_2;
+      end if;
       forward_path_41_any := (not ((((forward_occluding_40 - forward_stayed_41) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_40 - forward_dropped_41) mod 2048) / 1024) = 1));
       forward_path_41_value := (((forward_dropped_41 - forward_stayed_41) mod 2048) / 1024) = 1;
-      forward_path_41_choice := forward_dropped_41 when forward_path_41_value else forward_stayed_41;
-      forward_path_41_choice_2 := forward_path_41_choice when forward_path_41_any else forward_occluding_40;
-      forward_path_41_choice_3 := 0 when forward_next_first else forward_path_41_choice_2;
+      if forward_path_41_value then
+        forward_path_41_choice := forward_dropped_41;
+      else
+        forward_path_41_choice := forward_stayed_41;
+      end if;
+      if forward_path_41_any then
+        forward_path_41_choice_2 := forward_path_41_choice;
+      else
+        forward_path_41_choice_2 := forward_occluding_40;
+      end if;
+      if forward_next_first then
+        forward_path_41_choice_3 := 0;
+      else
+        forward_path_41_choice_3 := forward_path_41_choice_2;
+      end if;
       forward_path_42_any := (not ((((forward_occluding_41 - forward_stayed_42) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_41 - forward_dropped_42) mod 2048) / 1024) = 1));
       forward_path_42_value := (((forward_dropped_42 - forward_stayed_42) mod 2048) / 1024) = 1;
-      forward_path_42_choice := forward_dropped_42 when forward_path_42_value else forward_stayed_42;
-      forward_path_42_choice_2 := forward_path_42_choice when forward_path_42_any else forward_occluding_41;
-      forward_path_42_choice_3 := 0 when forward_next_first else forward_path_42_choice_2;
+      if forward_path_42_value then
+        forward_path_42_choice := forward_dropped_42;
+      else
+        forward_path_42_choice := forward_stayed_42;
+      end if;
+      if forward_path_42_any then
+        forward_path_42_choice_2 := forward_path_42_choice;
+      else
+        forward_path_42_choice_2 := forward_occluding_41;
+      end if;
+      if forward_next_first then
+        forward_path_42_choice_3 := 0;
+      else
+        forward_path_42_choice_3 := forward_path_42_choice_2;
+      end if;
       forward_path_43_any := (not ((((forward_occluding_42 - forward_stayed_43) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_42 - forward_dropped_43) mod 2048) / 1024) = 1));
       forward_path_43_value := (((forward_dropped_43 - forward_stayed_43) mod 2048) / 1024) = 1;
-      forward_path_43_choice := forward_dropped_43 when forward_path_43_value else forward_stayed_43;
-      forward_path_43_choice_2 := forward_path_43_choice when forward_path_43_any else forward_occluding_42;
-      forward_path_43_choice_3 := 0 when forward_next_first else forward_path_43_choice_2;
+      if forward_path_43_value then
+        forward_path_43_choice := forward_dropped_43;
+      else
+        forward_path_43_choice := forward_stayed_43;
+      end if;
+      if forward_path_43_any then
+        forward_path_43_choice_2 := forward_path_43_choice;
+      else
+        forward_path_43_choice_2 := forward_occluding_42;
+      end if;
+      if forward_next_first then
+        forward_path_43_choice_3 := 0;
+      else
+        forward_path_43_choice_3 := forward_path_43_choice_2;
+      end if;
       forward_path_44_any := (not ((((forward_occluding_43 - forward_stayed_44) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_43 - forward_dropped_44) mod 2048) / 1024) = 1));
       forward_path_44_value := (((forward_dropped_44 - forward_stayed_44) mod 2048) / 1024) = 1;
-      forward_path_44_choice := forward_dropped_44 when forward_path_44_value else forward_stayed_44;
-      forward_path_44_choice_2 := forward_path_44_choice when forward_path_44_any else forward_occluding_43;
-      forward_path_44_choice_3 := 0 when forward_next_first else forward_path_44_choice_2;
+      if forward_path_44_value then
+        forward_path_44_choice := forward_dropped_44;
+      else
+        forward_path_44_choice := forward_stayed_44;
+      end if;
+      if forward_path_44_any then
+        forward_path_44_choice_2 := forward_path_44_choice;
+      else
+        forward_path_44_choice_2 := forward_occluding_43;
+      end if;
+      if forward_next_first then
+        forward_path_44_choice_3 := 0;
+      else
+        forward_path_44_choice_3 := forward_path_44_choice_2;
+      end if;
       forward_path_45_any := (not ((((forward_occluding_44 - forward_stayed_45) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_44 - forward_dropped_45) mod 2048) / 1024) = 1));
       forward_path_45_value := (((forward_dropped_45 - forward_stayed_45) mod 2048) / 1024) = 1;
-      forward_path_45_choice := forward_dropped_45 when forward_path_45_value else forward_stayed_45;
-      forward_path_45_choice_2 := forward_path_45_choice when forward_path_45_any else forward_occluding_44;
-      forward_path_45_choice_3 := 0 when forward_next_first else forward_path_45_choice_2;
+      if forward_path_45_value then
+        forward_path_45_choice := forward_dropped_45;
+      else
+        forward_path_45_choice := forward_stayed_45;
+      end if;
+      if forward_path_45_any then
+        forward_path_45_choice_2 := forward_path_45_choice;
+      else
+        forward_path_45_choice_2 := forward_occluding_44;
+      end if;
+      if forward_next_first then
+        forward_path_45_choice_3 := 0;
+      else
+        forward_path_45_choice_3 := forward_path_45_choice_2;
+      end if;
       forward_path_46_any := (not ((((forward_occluding_45 - forward_stayed_46) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_45 - forward_dropped_46) mod 2048) / 1024) = 1));
       forward_path_46_value := (((forward_dropped_46 - forward_stayed_46) mod 2048) / 1024) = 1;
-      forward_path_46_choice := forward_dropped_46 when forward_path_46_value else forward_stayed_46;
-      forward_path_46_choice_2 := forward_path_46_choice when forward_path_46_any else forward_occluding_45;
-      forward_path_46_choice_3 := 0 when forward_next_first else forward_path_46_choice_2;
+      if forward_path_46_value then
+        forward_path_46_choice := forward_dropped_46;
+      else
+        forward_path_46_choice := forward_stayed_46;
+      end if;
+      if forward_path_46_any then
+        forward_path_46_choice_2 := forward_path_46_choice;
+      else
+        forward_path_46_choice_2 := forward_occluding_45;
+      end if;
+      if forward_next_first then
+        forward_path_46_choice_3 := 0;
+      else
+        forward_path_46_choice_3 := forward_path_46_choice_2;
+      end if;
       forward_path_47_any := (not ((((forward_occluding_46 - forward_stayed_47) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_46 - forward_dropped_47) mod 2048) / 1024) = 1));
       forward_path_47_value := (((forward_dropped_47 - forward_stayed_47) mod 2048) / 1024) = 1;
-      forward_path_47_choice := forward_dropped_47 when forward_path_47_value else forward_stayed_47;
-      forward_path_47_choice_2 := forward_path_47_choice when forward_path_47_any else forward_occluding_46;
-      forward_path_47_choice_3 := 0 when forward_next_first else forward_path_47_choice_2;
+      if forward_path_47_value then
+        forward_path_47_choice := forward_dropped_47;
+      else
+        forward_path_47_choice := forward_stayed_47;
+      end if;
+      if forward_path_47_any then
+        forward_path_47_choice_2 := forward_path_47_choice;
+      else
+        forward_path_47_choice_2 := forward_occluding_46;
+      end if;
+      if forward_next_first then
+        forward_path_47_choice_3 := 0;
+      else
+        forward_path_47_choice_3 := forward_path_47_choice_2;
+      end if;
       forward_path_48_any := (not ((((forward_occluding_47 - forward_stayed_48) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_47 - forward_dropped_48) mod 2048) / 1024) = 1));
       forward_path_48_value := (((forward_dropped_48 - forward_stayed_48) mod 2048) / 1024) = 1;
-      forward_path_48_choice := forward_dropped_48 when forward_path_48_value else forward_stayed_48;
-      forward_path_48_choice_2 := forward_path_48_choice when forward_path_48_any else forward_occluding_47;
-      forward_path_48_choice_3 := 0 when forward_next_first else forward_path_48_choice_2;
+      if forward_path_48_value then
+        forward_path_48_choice := forward_dropped_48;
+      else
+        forward_path_48_choice := forward_stayed_48;
+      end if;
+      if forward_path_48_any then
+        forward_path_48_choice_2 := forward_path_48_choice;
+      else
+        forward_path_48_choice_2 := forward_occluding_47;
+      end if;
+      if forward_next_first then
+        forward_path_48_choice_3 := 0;
+      else
+        forward_path_48_choice_3 := forward_path_48_choice_2;
+      end if;
       forward_path_49_any := (not ((((forward_occluding_48 - forward_stayed_49) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_48 - forward_dropped_49) mod 2048) / 1024) = 1));
       forward_path_49_value := (((forward_dropped_49 - forward_stayed_49) mod 2048) / 1024) = 1;
-      forward_path_49_choice := forward_dropped_49 when forward_path_49_value else forward_stayed_49;
-      forward_path_49_choice_2 := forward_path_49_choice when forward_path_49_any else forward_occluding_48;
-      forward_path_49_choice_3 := 0 when forward_next_first else forward_path_49_choice_2;
+      if forward_path_49_value then
+        forward_path_49_choice := forward_dropped_49;
+      else
+        forward_path_49_choice := forward_stayed_49;
+      end if;
+      if forward_path_49_any then
+        forward_path_49_choice_2 := forward_path_49_choice;
+      else
+        forward_path_49_choice_2 := forward_occluding_48;
+      end if;
+      if forward_next_first then
+        forward_path_49_choice_3 := 0;
+      else
+        forward_path_49_choice_3 := forward_path_49_choice_2;
+      end if;
       forward_path_50_any := (not ((((forward_occluding_49 - forward_stayed_50) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_49 - forward_dropped_50) mod 2048) / 1024) = 1));
       forward_path_50_value := (((forward_dropped_50 - forward_stayed_50) mod 2048) / 1024) = 1;
-      forward_path_50_choice := forward_dropped_50 when forward_path_50_value else forward_stayed_50;
-      forward_path_50_choice_2 := forward_path_50_choice when forward_path_50_any else forward_occluding_49;
-      forward_path_50_choice_3 := 0 when forward_next_first else forward_path_50_choice_2;
+      if forward_path_50_value then
+        forward_path_50_choice := forward_dropped_50;
+      else
+        forward_path_50_choice := forward_stayed_50;
+      end if;
+      if forward_path_50_any then
+        forward_path_50_choice_2 := forward_path_50_choice;
+      else
+        forward_path_50_choice_2 := forward_occluding_49;
+      end if;
+      if forward_next_first then
+        forward_path_50_choice_3 := 0;
+      else
+        forward_path_50_choice_3 := forward_path_50_choice_2;
+      end if;
       forward_path_51_any := (not ((((forward_occluding_50 - forward_stayed_51) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_50 - forward_dropped_51) mod 2048) / 1024) = 1));
       forward_path_51_value := (((forward_dropped_51 - forward_stayed_51) mod 2048) / 1024) = 1;
-      forward_path_51_choice := forward_dropped_51 when forward_path_51_value else forward_stayed_51;
-      forward_path_51_choice_2 := forward_path_51_choice when forward_path_51_any else forward_occluding_50;
-      forward_path_51_choice_3 := 0 when forward_next_first else forward_path_51_choice_2;
+      if forward_path_51_value then
+        forward_path_51_choice := forward_dropped_51;
+      else
+        forward_path_51_choice := forward_stayed_51;
+      end if;
+      if forward_path_51_any then
+        forward_path_51_choice_2 := forward_path_51_choice;
+      else
+        forward_path_51_choice_2 := forward_occluding_50;
+      end if;
+      if forward_next_first then
+        forward_path_51_choice_3 := 0;
+      else
+        forward_path_51_choice_3 := forward_path_51_choice_2;
+      end if;
       forward_path_52_any := (not ((((forward_occluding_51 - forward_stayed_52) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_51 - forward_dropped_52) mod 2048) / 1024) = 1));
       forward_path_52_value := (((forward_dropped_52 - forward_stayed_52) mod 2048) / 1024) = 1;
-      forward_path_52_choice := forward_dropped_52 when forward_path_52_value else forward_stayed_52;
-      forward_path_52_choice_2 := forward_path_52_choice when forward_path_52_any else forward_occluding_51;
-      forward_path_52_choice_3 := 0 when forward_next_first else forward_path_52_choice_2;
+      if forward_path_52_value then
+        forward_path_52_choice := forward_dropped_52;
+      else
+        forward_path_52_choice := forward_stayed_52;
+      end if;
+      if forward_path_52_any then
+        forward_path_52_choice_2 := forward_path_52_choice;
+      else
+        forward_path_52_choice_2 := forward_occluding_51;
+      end if;
+      if forward_next_first then
+        forward_path_52_choice_3 := 0;
+      else
+        forward_path_52_choice_3 := forward_path_52_choice_2;
+      end if;
       forward_path_53_any := (not ((((forward_occluding_52 - forward_stayed_53) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_52 - forward_dropped_53) mod 2048) / 1024) = 1));
       forward_path_53_value := (((forward_dropped_53 - forward_stayed_53) mod 2048) / 1024) = 1;
-      forward_path_53_choice := forward_dropped_53 when forward_path_53_value else forward_stayed_53;
-      forward_path_53_choice_2 := forward_path_53_choice when forward_path_53_any else forward_occluding_52;
-      forward_path_53_choice_3 := 0 when forward_next_first else forward_path_53_choice_2;
+      if forward_path_53_value then
+        forward_path_53_choice := forward_dropped_53;
+      else
+        forward_path_53_choice := forward_stayed_53;
+      end if;
+      if forward_path_53_any then
+        forward_path_53_choice_2 := forward_path_53_choice;
+      else
+        forward_path_53_choice_2 := forward_occluding_52;
+      end if;
+      if forward_next_first then
+        forward_path_53_choice_3 := 0;
+      else
+        forward_path_53_choice_3 := forward_path_53_choice_2;
+      end if;
       forward_path_54_any := (not ((((forward_occluding_53 - forward_stayed_54) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_53 - forward_dropped_54) mod 2048) / 1024) = 1));
       forward_path_54_value := (((forward_dropped_54 - forward_stayed_54) mod 2048) / 1024) = 1;
-      forward_path_54_choice := forward_dropped_54 when forward_path_54_value else forward_stayed_54;
-      forward_path_54_choice_2 := forward_path_54_choice when forward_path_54_any else forward_occluding_53;
-      forward_path_54_choice_3 := 0 when forward_next_first else forward_path_54_choice_2;
+      if forward_path_54_value then
+        forward_path_54_choice := forward_dropped_54;
+      else
+        forward_path_54_choice := forward_stayed_54;
+      end if;
+      if forward_path_54_any then
+        forward_path_54_choice_2 := forward_path_54_choice;
+      else
+        forward_path_54_choice_2 := forward_occluding_53;
+      end if;
+      if forward_next_first then
+        forward_path_54_choice_3 := 0;
+      else
+        forward_path_54_choice_3 := forward_path_54_choice_2;
+      end if;
       forward_path_55_any := (not ((((forward_occluding_54 - forward_stayed_55) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_54 - forward_dropped_55) mod 2048) / 1024) = 1));
       forward_path_55_value := (((forward_dropped_55 - forward_stayed_55) mod 2048) / 1024) = 1;
-      forward_path_55_choice := forward_dropped_55 when forward_path_55_value else forward_stayed_55;
-      forward_path_55_choice_2 := forward_path_55_choice when forward_path_55_any else forward_occluding_54;
-      forward_path_55_choice_3 := 0 when forward_next_first else forward_path_55_choice_2;
+      if forward_path_55_value then
+        forward_path_55_choice := forward_dropped_55;
+      else
+        forward_path_55_choice := forward_stayed_55;
+      end if;
+      if forward_path_55_any then
+        forward_path_55_choice_2 := forward_path_55_choice;
+      else
+        forward_path_55_choice_2 := forward_occluding_54;
+      end if;
+      if forward_next_first then
+        forward_path_55_choice_3 := 0;
+      else
+        forward_path_55_choice_3 := forward_path_55_choice_2;
+      end if;
       forward_path_56_any := (not ((((forward_occluding_55 - forward_stayed_56) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_55 - forward_dropped_56) mod 2048) / 1024) = 1));
       forward_path_56_value := (((forward_dropped_56 - forward_stayed_56) mod 2048) / 1024) = 1;
-      forward_path_56_choice := forward_dropped_56 when forward_path_56_value else forward_stayed_56;
-      forward_path_56_choice_2 := forward_path_56_choice when forward_path_56_any else forward_occluding_55;
-      forward_path_56_choice_3 := 0 when forward_next_first else forward_path_56_choice_2;
+      if forward_path_56_value then
+        forward_path_56_choice := forward_dropped_56;
+      else
+        forward_path_56_choice := forward_stayed_56;
+      end if;
+      if forward_path_56_any then
+        forward_path_56_choice_2 := forward_path_56_choice;
+      else
+        forward_path_56_choice_2 := forward_occluding_55;
+      end if;
+      if forward_next_first then
+        forward_path_56_choice_3 := 0;
+      else
+        forward_path_56_choice_3 := forward_path_56_choice_2;
+      end if;
       forward_path_57_any := (not ((((forward_occluding_56 - forward_stayed_57) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_56 - forward_dropped_57) mod 2048) / 1024) = 1));
       forward_path_57_value := (((forward_dropped_57 - forward_stayed_57) mod 2048) / 1024) = 1;
-      forward_path_57_choice := forward_dropped_57 when forward_path_57_value else forward_stayed_57;
-      forward_path_57_choice_2 := forward_path_57_choice when forward_path_57_any else forward_occluding_56;
-      forward_path_57_choice_3 := 0 when forward_next_first else forward_path_57_choice_2;
+      if forward_path_57_value then
+        forward_path_57_choice := forward_dropped_57;
+      else
+        forward_path_57_choice := forward_stayed_57;
+      end if;
+      if forward_path_57_any then
+        forward_path_57_choice_2 := forward_path_57_choice;
+      else
+        forward_path_57_choice_2 := forward_occluding_56;
+      end if;
+      if forward_next_first then
+        forward_path_57_choice_3 := 0;
+      else
+        forward_path_57_choice_3 := forward_path_57_choice_2;
+      end if;
       forward_path_58_any := (not ((((forward_occluding_57 - forward_stayed_58) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_57 - forward_dropped_58) mod 2048) / 1024) = 1));
       forward_path_58_value := (((forward_dropped_58 - forward_stayed_58) mod 2048) / 1024) = 1;
-      forward_path_58_choice := forward_dropped_58 when forward_path_58_value else forward_stayed_58;
-      forward_path_58_choice_2 := forward_path_58_choice when forward_path_58_any else forward_occluding_57;
-      forward_path_58_choice_3 := 0 when forward_next_first else forward_path_58_choice_2;
+      if forward_path_58_value then
+        forward_path_58_choice := forward_dropped_58;
+      else
+        forward_path_58_choice := forward_stayed_58;
+      end if;
+      if forward_path_58_any then
+        forward_path_58_choice_2 := forward_path_58_choice;
+      else
+        forward_path_58_choice_2 := forward_occluding_57;
+      end if;
+      if forward_next_first then
+        forward_path_58_choice_3 := 0;
+      else
+        forward_path_58_choice_3 := forward_path_58_choice_2;
+      end if;
       forward_path_59_any := (not ((((forward_occluding_58 - forward_stayed_59) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_58 - forward_dropped_59) mod 2048) / 1024) = 1));
       forward_path_59_value := (((forward_dropped_59 - forward_stayed_59) mod 2048) / 1024) = 1;
-      forward_path_59_choice := forward_dropped_59 when forward_path_59_value else forward_stayed_59;
-      forward_path_59_choice_2 := forward_path_59_choice when forward_path_59_any else forward_occluding_58;
-      forward_path_59_choice_3 := 0 when forward_next_first else forward_path_59_choice_2;
+      if forward_path_59_value then
+        forward_path_59_choice := forward_dropped_59;
+      else
+        forward_path_59_choice := forward_stayed_59;
+      end if;
+      if forward_path_59_any then
+        forward_path_59_choice_2 := forward_path_59_choice;
+      else
+        forward_path_59_choice_2 := forward_occluding_58;
+      end if;
+      if forward_next_first then
+        forward_path_59_choice_3 := 0;
+      else
+        forward_path_59_choice_3 := forward_path_59_choice_2;
+      end if;
       forward_path_60_any := (not ((((forward_occluding_59 - forward_stayed_60) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_59 - forward_dropped_60) mod 2048) / 1024) = 1));
       forward_path_60_value := (((forward_dropped_60 - forward_stayed_60) mod 2048) / 1024) = 1;
-      forward_path_60_choice := forward_dropped_60 when forward_path_60_value else forward_stayed_60;
-      forward_path_60_choice_2 := forward_path_60_choice when forward_path_60_any else forward_occluding_59;
-      forward_path_60_choice_3 := 0 when forward_next_first else forward_path_60_choice_2;
+      if forward_path_60_value then
+        forward_path_60_choice := forward_dropped_60;
+      else
+        forward_path_60_choice := forward_stayed_60;
+      end if;
+      if forward_path_60_any then
+        forward_path_60_choice_2 := forward_path_60_choice;
+      else
+        forward_path_60_choice_2 := forward_occluding_59;
+      end if;
+      if forward_next_first then
+        forward_path_60_choice_3 := 0;
+      else
+        forward_path_60_choice_3 := forward_path_60_choice_2;
+      end if;
       forward_path_61_any := (not ((((forward_occluding_60 - forward_stayed_61) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_60 - forward_dropped_61) mod 2048) / 1024) = 1));
       forward_path_61_value := (((forward_dropped_61 - forward_stayed_61) mod 2048) / 1024) = 1;
-      forward_path_61_choice := forward_dropped_61 when forward_path_61_value else forward_stayed_61;
-      forward_path_61_choice_2 := forward_path_61_choice when forward_path_61_any else forward_occluding_60;
-      forward_path_61_choice_3 := 0 when forward_next_first else forward_path_61_choice_2;
+      if forward_path_61_value then
+        forward_path_61_choice := forward_dropped_61;
+      else
+        forward_path_61_choice := forward_stayed_61;
+      end if;
+      if forward_path_61_any then
+        forward_path_61_choice_2 := forward_path_61_choice;
+      else
+        forward_path_61_choice_2 := forward_occluding_60;
+      end if;
+      if forward_next_first then
+        forward_path_61_choice_3 := 0;
+      else
+        forward_path_61_choice_3 := forward_path_61_choice_2;
+      end if;
       forward_path_62_any := (not ((((forward_occluding_61 - forward_stayed_62) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_61 - forward_dropped_62) mod 2048) / 1024) = 1));
       forward_path_62_value := (((forward_dropped_62 - forward_stayed_62) mod 2048) / 1024) = 1;
-      forward_path_62_choice := forward_dropped_62 when forward_path_62_value else forward_stayed_62;
-      forward_path_62_choice_2 := forward_path_62_choice when forward_path_62_any else forward_occluding_61;
-      forward_path_62_choice_3 := 0 when forward_next_first else forward_path_62_choice_2;
+      if forward_path_62_value then
+        forward_path_62_choice := forward_dropped_62;
+      else
+        forward_path_62_choice := forward_stayed_62;
+      end if;
+      if forward_path_62_any then
+        forward_path_62_choice_2 := forward_path_62_choice;
+      else
+        forward_path_62_choice_2 := forward_occluding_61;
+      end if;
+      if forward_next_first then
+        forward_path_62_choice_3 := 0;
+      else
+        forward_path_62_choice_3 := forward_path_62_choice_2;
+      end if;
       forward_path_63_any := (not ((((forward_occluding_62 - forward_stayed_63) mod 2048) / 1024) = 1)) or (not
         ((((forward_occluding_62 - forward_dropped_63) mod 2048) / 1024) = 1));
       forward_path_63_value := (((forward_dropped_63 - forward_stayed_63) mod 2048) / 1024) = 1;
-      forward_path_63_choice := forward_dropped_63 when forward_path_63_value else forward_stayed_63;
-      forward_path_63_choice_2 := forward_path_63_choice when forward_path_63_any else forward_occluding_62;
-      forward_path_63_choice_3 := 0 when forward_next_first else forward_path_63_choice_2;
+      if forward_path_63_value then
+        forward_path_63_choice := forward_dropped_63;
+      else
+        forward_path_63_choice := forward_stayed_63;
+      end if;
+      if forward_path_63_any then
+        forward_path_63_choice_2 := forward_path_63_choice;
+      else
+        forward_path_63_choice_2 := forward_occluding_62;
+      end if;
+      if forward_next_first then
+        forward_path_63_choice_3 := 0;
+      else
+        forward_path_63_choice_3 := forward_path_63_choice_2;
+      end if;
       forward_dropped_0_value := (((forward_path_6 - forward_path_1) mod 2048) / 1024) = 1;
-      forward_dropped_0_choice := forward_path_6 when forward_dropped_0_value else forward_path_1;
+      if forward_dropped_0_value then
+        forward_dropped_0_choice := forward_path_6;
+      else
+        forward_dropped_0_choice := forward_path_1;
+      end if;
       forward_dropped_1_value := (((forward_path_7 - forward_path_2) mod 2048) / 1024) = 1;
-      forward_dropped_1_choice := forward_path_7 when forward_dropped_1_value else forward_path_2;
+      if forward_dropped_1_value then
+        forward_dropped_1_choice := forward_path_7;
+      else
+        forward_dropped_1_choice := forward_path_2;
+      end if;
       forward_dropped_2_value := (((forward_path_8 - forward_path_3) mod 2048) / 1024) = 1;
-      forward_dropped_2_choice := forward_path_8 when forward_dropped_2_value else forward_path_3;
+      if forward_dropped_2_value then
+        forward_dropped_2_choice := forward_path_8;
+      else
+        forward_dropped_2_choice := forward_path_3;
+      end if;
       forward_dropped_3_value := (((forward_path_9 - forward_path_4) mod 2048) / 1024) = 1;
-      forward_dropped_3_choice := forward_path_9 when forward_dropped_3_value else forward_path_4;
+      if forward_dropped_3_value then
+        forward_dropped_3_choice := forward_path_9;
+      else
+        forward_dropped_3_choice := forward_path_4;
+      end if;
       forward_dropped_4_value := (((forward_path_10 - forward_path_5) mod 2048) / 1024) = 1;
-      forward_dropped_4_choice := forward_path_10 when forward_dropped_4_value else forward_path_5;
+      if forward_dropped_4_value then
+        forward_dropped_4_choice := forward_path_10;
+      else
+        forward_dropped_4_choice := forward_path_5;
+      end if;
       forward_dropped_5_value := (((forward_path_11 - forward_path_6) mod 2048) / 1024) = 1;
-      forward_dropped_5_choice := forward_path_11 when forward_dropped_5_value else forward_path_6;
+      if forward_dropped_5_value then
+        forward_dropped_5_choice := forward_path_11;
+      else
+        forward_dropped_5_choice := forward_path_6;
+      end if;
       forward_dropped_6_value := (((forward_path_12 - forward_path_7) mod 2048) / 1024) = 1;
-      forward_dropped_6_choice := forward_path_12 when forward_dropped_6_value else forward_path_7;
+      if forward_dropped_6_value then
+        forward_dropped_6_choice := forward_path_12;
+      else
+        forward_dropped_6_choice := forward_path_7;
+      end if;
       forward_dropped_7_value := (((forward_path_13 - forward_path_8) mod 2048) / 1024) = 1;
-      forward_dropped_7_choice := forward_path_13 when forward_dropped_7_value else forward_path_8;
+      if forward_dropped_7_value then
+        forward_dropped_7_choice := forward_path_13;
+      else
+        forward_dropped_7_choice := forward_path_8;
+      end if;
       forward_dropped_8_value := (((forward_path_14 - forward_path_9) mod 2048) / 1024) = 1;
-      forward_dropped_8_choice := forward_path_14 when forward_dropped_8_value else forward_path_9;
+      if forward_dropped_8_value then
+        forward_dropped_8_choice := forward_path_14;
+      else
+        forward_dropped_8_choice := forward_path_9;
+      end if;
       forward_dropped_9_value := (((forward_path_15 - forward_path_10) mod 2048) / 1024) = 1;
-      forward_dropped_9_choice := forward_path_15 when forward_dropped_9_value else forward_path_10;
+      if forward_dropped_9_value then
+        forward_dropped_9_choice := forward_path_15;
+      else
+        forward_dropped_9_choice := forward_path_10;
+      end if;
       forward_dropped_10_value := (((forward_path_16 - forward_path_11) mod 2048) / 1024) = 1;
-      forward_dropped_10_choice := forward_path_16 when forward_dropped_10_value else forward_path_11;
+      if forward_dropped_10_value then
+        forward_dropped_10_choice := forward_path_16;
+      else
+        forward_dropped_10_choice := forward_path_11;
+      end if;
       forward_dropped_11_value := (((forward_path_17 - forward_path_12) mod 2048) / 1024) = 1;
-      forward_dropped_11_choice := forward_path_17 when forward_dropped_11_value else forward_path_12;
+      if forward_dropped_11_value then
+        forward_dropped_11_choice := forward_path_17;
+      else
+        forward_dropped_11_choice := forward_path_12;
+      end if;
       forward_dropped_12_value := (((forward_path_18 - forward_path_13) mod 2048) / 1024) = 1;
-      forward_dropped_12_choice := forward_path_18 when forward_dropped_12_value else forward_path_13;
+      if forward_dropped_12_value then
+        forward_dropped_12_choice := forward_path_18;
+      else
+        forward_dropped_12_choice := forward_path_13;
+      end if;
       forward_dropped_13_value := (((forward_path_19 - forward_path_14) mod 2048) / 1024) = 1;
-      forward_dropped_13_choice := forward_path_19 when forward_dropped_13_value else forward_path_14;
+      if forward_dropped_13_value then
+        forward_dropped_13_choice := forward_path_19;
+      else
+        forward_dropped_13_choice := forward_path_14;
+      end if;
       forward_dropped_14_value := (((forward_path_20 - forward_path_15) mod 2048) / 1024) = 1;
-      forward_dropped_14_choice := forward_path_20 when forward_dropped_14_value else forward_path_15;
+      if forward_dropped_14_value then
+        forward_dropped_14_choice := forward_path_20;
+      else
+        forward_dropped_14_choice := forward_path_15;
+      end if;
       forward_dropped_15_value := (((forward_path_21 - forward_path_16) mod 2048) / 1024) = 1;
-      forward_dropped_15_choice := forward_path_21 when forward_dropped_15_value else forward_path_16;
+      if forward_dropped_15_value then
+        forward_dropped_15_choice := forward_path_21;
+      else
+        forward_dropped_15_choice := forward_path_16;
+      end if;
       forward_dropped_16_value := (((forward_path_22 - forward_path_17) mod 2048) / 1024) = 1;
-      forward_dropped_16_choice := forward_path_22 when forward_dropped_16_value else forward_path_17;
+      if forward_dropped_16_value then
+        forward_dropped_16_choice := forward_path_22;
+      else
+        forward_dropped_16_choice := forward_path_17;
+      end if;
       forward_dropped_17_value := (((forward_path_23 - forward_path_18) mod 2048) / 1024) = 1;
-      forward_dropped_17_choice := forward_path_23 when forward_dropped_17_value else forward_path_18;
+      if forward_dropped_17_value then
+        forward_dropped_17_choice := forward_path_23;
+      else
+        forward_dropped_17_choice := forward_path_18;
+      end if;
       forward_dropped_18_value := (((forward_path_24 - forward_path_19) mod 2048) / 1024) = 1;
-      forward_dropped_18_choice := forward_path_24 when forward_dropped_18_value else forward_path_19;
+      if forward_dropped_18_value then
+        forward_dropped_18_choice := forward_path_24;
+      else
+        forward_dropped_18_choice := forward_path_19;
+      end if;
       forward_dropped_19_value := (((forward_path_25 - forward_path_20) mod 2048) / 1024) = 1;
-      forward_dropped_19_choice := forward_path_25 when forward_dropped_19_value else forward_path_20;
+      if forward_dropped_19_value then
+        forward_dropped_19_choice := forward_path_25;
+      else
+        forward_dropped_19_choice := forward_path_20;
+      end if;
       forward_dropped_20_value := (((forward_path_26 - forward_path_21) mod 2048) / 1024) = 1;
-      forward_dropped_20_choice := forward_path_26 when forward_dropped_20_value else forward_path_21;
+      if forward_dropped_20_value then
+        forward_dropped_20_choice := forward_path_26;
+      else
+        forward_dropped_20_choice := forward_path_21;
+      end if;
       forward_dropped_21_value := (((forward_path_27 - forward_path_22) mod 2048) / 1024) = 1;
-      forward_dropped_21_choice := forward_path_27 when forward_dropped_21_value else forward_path_22;
+      if forward_dropped_21_value then
+        forward_dropped_21_choice := forward_path_27;
+      else
+        forward_dropped_21_choice := forward_path_22;
+      end if;
       forward_dropped_22_value := (((forward_path_28 - forward_path_23) mod 2048) / 1024) = 1;
-      forward_dropped_22_choice := forward_path_28 when forward_dropped_22_value else forward_path_23;
+      if forward_dropped_22_value then
+        forward_dropped_22_choice := forward_path_28;
+      else
+        forward_dropped_22_choice := forward_path_23;
+      end if;
       forward_dropped_23_value := (((forward_path_29 - forward_path_24) mod 2048) / 1024) = 1;
-      forward_dropped_23_choice := forward_path_29 when forward_dropped_23_value else forward_path_24;
+      if forward_dropped_23_value then
+        forward_dropped_23_choice := forward_path_29;
+      else
+        forward_dropped_23_choice := forward_path_24;
+      end if;
       forward_dropped_24_value := (((forward_path_30 - forward_path_25) mod 2048) / 1024) = 1;
-      forward_dropped_24_choice := forward_path_30 when forward_dropped_24_value else forward_path_25;
+      if forward_dropped_24_value then
+        forward_dropped_24_choice := forward_path_30;
+      else
+        forward_dropped_24_choice := forward_path_25;
+      end if;
       forward_dropped_25_value := (((forward_path_31 - forward_path_26) mod 2048) / 1024) = 1;
-      forward_dropped_25_choice := forward_path_31 when forward_dropped_25_value else forward_path_26;
+      if forward_dropped_25_value then
+        forward_dropped_25_choice := forward_path_31;
+      else
+        forward_dropped_25_choice := forward_path_26;
+      end if;
       forward_dropped_26_value := (((forward_path_32 - forward_path_27) mod 2048) / 1024) = 1;
-      forward_dropped_26_choice := forward_path_32 when forward_dropped_26_value else forward_path_27;
+      if forward_dropped_26_value then
+        forward_dropped_26_choice := forward_path_32;
+      else
+        forward_dropped_26_choice := forward_path_27;
+      end if;
       forward_dropped_27_value := (((forward_path_33 - forward_path_28) mod 2048) / 1024) = 1;
-      forward_dropped_27_choice := forward_path_33 when forward_dropped_27_value else forward_path_28;
+      if forward_dropped_27_value then
+        forward_dropped_27_choice := forward_path_33;
+      else
+        forward_dropped_27_choice := forward_path_28;
+      end if;
       forward_dropped_28_value := (((forward_path_34 - forward_path_29) mod 2048) / 1024) = 1;
-      forward_dropped_28_choice := forward_path_34 when forward_dropped_28_value else forward_path_29;
+      if forward_dropped_28_value then
+        forward_dropped_28_choice := forward_path_34;
+      else
+        forward_dropped_28_choice := forward_path_29;
+      end if;
       forward_dropped_29_value := (((forward_path_35 - forward_path_30) mod 2048) / 1024) = 1;
-      forward_dropped_29_choice := forward_path_35 when forward_dropped_29_value else forward_path_30;
+      if forward_dropped_29_value then
+        forward_dropped_29_choice := forward_path_35;
+      else
+        forward_dropped_29_choice := forward_path_30;
+      end if;
       forward_dropped_30_value := (((forward_path_36 - forward_path_31) mod 2048) / 1024) = 1;
-      forward_dropped_30_choice := forward_path_36 when forward_dropped_30_value else forward_path_31;
+      if forward_dropped_30_value then
+        forward_dropped_30_choice := forward_path_36;
+      else
+        forward_dropped_30_choice := forward_path_31;
+      end if;
       forward_dropped_31_value := (((forward_path_37 - forward_path_32) mod 2048) / 1024) = 1;
-      forward_dropped_31_choice := forward_path_37 when forward_dropped_31_value else forward_path_32;
+      if forward_dropped_31_value then
+        forward_dropped_31_choice := forward_path_37;
+      else
+        forward_dropped_31_choice := forward_path_32;
+      end if;
       forward_dropped_32_value := (((forward_path_38 - forward_path_33) mod 2048) / 1024) = 1;
-      forward_dropped_32_choice := forward_path_38 when forward_dropped_32_value else forward_path_33;
+      if forward_dropped_32_value then
+        forward_dropped_32_choice := forward_path_38;
+      else
+        forward_dropped_32_choice := forward_path_33;
+      end if;
       forward_dropped_33_value := (((forward_path_39 - forward_path_34) mod 2048) / 1024) = 1;
-      forward_dropped_33_choice := forward_path_39 when forward_dropped_33_value else forward_path_34;
+      if forward_dropped_33_value then
+        forward_dropped_33_choice := forward_path_39;
+      else
+        forward_dropped_33_choice := forward_path_34;
+      end if;
       forward_dropped_34_value := (((forward_path_40 - forward_path_35) mod 2048) / 1024) = 1;
-      forward_dropped_34_choice := forward_path_40 when forward_dropped_34_value else forward_path_35;
+      if forward_dropped_34_value then
+        forward_dropped_34_choice := forward_path_40;
+      else
+        forward_dropped_34_choice := forward_path_35;
+      end if;
       forward_dropped_35_value := (((forward_path_41 - forward_path_36) mod 2048) / 1024) = 1;
-      forward_dropped_35_choice := forward_path_41 when forward_dropped_35_value else forward_path_36;
+      if forward_dropped_35_value then
+        forward_dropped_35_choice := forward_path_41;
+      else
+        forward_dropped_35_choice := forward_path_36;
+      end if;
       forward_dropped_36_value := (((forward_path_42 - forward_path_37) mod 2048) / 1024) = 1;
-      forward_dropped_36_choice := forward_path_42 when forward_dropped_36_value else forward_path_37;
+      if forward_dropped_36_value then
+        forward_dropped_36_choice := forward_path_42;
+      else
+        forward_dropped_36_choice := forward_path_37;
+      end if;
       forward_dropped_37_value := (((forward_path_43 - forward_path_38) mod 2048) / 1024) = 1;
-      forward_dropped_37_choice := forward_path_43 when forward_dropped_37_value else forward_path_38;
+      if forward_dropped_37_value then
+        forward_dropped_37_choice := forward_path_43;
+      else
+        forward_dropped_37_choice := forward_path_38;
+      end if;
       forward_dropped_38_value := (((forward_path_44 - forward_path_39) mod 2048) / 1024) = 1;
-      forward_dropped_38_choice := forward_path_44 when forward_dropped_38_value else forward_path_39;
+      if forward_dropped_38_value then
+        forward_dropped_38_choice := forward_path_44;
+      else
+        forward_dropped_38_choice := forward_path_39;
+      end if;
       forward_dropped_39_value := (((forward_path_45 - forward_path_40) mod 2048) / 1024) = 1;
-      forward_dropped_39_choice := forward_path_45 when forward_dropped_39_value else forward_path_40;
+      if forward_dropped_39_value then
+        forward_dropped_39_choice := forward_path_45;
+      else
+        forward_dropped_39_choice := forward_path_40;
+      end if;
       forward_dropped_40_value := (((forward_path_46 - forward_path_41) mod 2048) / 1024) = 1;
-      forward_dropped_40_choice := forward_path_46 when forward_dropped_40_value else forward_path_41;
+      if forward_dropped_40_value then
+        forward_dropped_40_choice := forward_path_46;
+      else
+        forward_dropped_40_choice := forward_path_41;
+      end if;
       forward_dropped_41_value := (((forward_path_47 - forward_path_42) mod 2048) / 1024) = 1;
-      forward_dropped_41_choice := forward_path_47 when forward_dropped_41_value else forward_path_42;
+      if forward_dropped_41_value then
+        forward_dropped_41_choice := forward_path_47;
+      else
+        forward_dropped_41_choice := forward_path_42;
+      end if;
       forward_dropped_42_value := (((forward_path_48 - forward_path_43) mod 2048) / 1024) = 1;
-      forward_dropped_42_choice := forward_path_48 when forward_dropped_42_value else forward_path_43;
+      if forward_dropped_42_value then
+        forward_dropped_42_choice := forward_path_48;
+      else
+        forward_dropped_42_choice := forward_path_43;
+      end if;
       forward_dropped_43_value := (((forward_path_49 - forward_path_44) mod 2048) / 1024) = 1;
-      forward_dropped_43_choice := forward_path_49 when forward_dropped_43_value else forward_path_44;
+      if forward_dropped_43_value then
+        forward_dropped_43_choice := forward_path_49;
+      else
+        forward_dropped_43_choice := forward_path_44;
+      end if;
       forward_dropped_44_value := (((forward_path_50 - forward_path_45) mod 2048) / 1024) = 1;
-      forward_dropped_44_choice := forward_path_50 when forward_dropped_44_value else forward_path_45;
+      if forward_dropped_44_value then
+        forward_dropped_44_choice := forward_path_50;
+      else
+        forward_dropped_44_choice := forward_path_45;
+      end if;
       forward_dropped_45_value := (((forward_path_51 - forward_path_46) mod 2048) / 1024) = 1;
-      forward_dropped_45_choice := forward_path_51 when forward_dropped_45_value else forward_path_46;
+      if forward_dropped_45_value then
+        forward_dropped_45_choice := forward_path_51;
+      else
+        forward_dropped_45_choice := forward_path_46;
+      end if;
       forward_dropped_46_value := (((forward_path_52 - forward_path_47) mod 2048) / 1024) = 1;
-      forward_dropped_46_choice := forward_path_52 when forward_dropped_46_value else forward_path_47;
+      if forward_dropped_46_value then
+        forward_dropped_46_choice := forward_path_52;
+      else
+        forward_dropped_46_choice := forward_path_47;
+      end if;
       forward_dropped_47_value := (((forward_path_53 - forward_path_48) mod 2048) / 1024) = 1;
-      forward_dropped_47_choice := forward_path_53 when forward_dropped_47_value else forward_path_48;
+      if forward_dropped_47_value then
+        forward_dropped_47_choice := forward_path_53;
+      else
+        forward_dropped_47_choice := forward_path_48;
+      end if;
       forward_dropped_48_value := (((forward_path_54 - forward_path_49) mod 2048) / 1024) = 1;
-      forward_dropped_48_choice := forward_path_54 when forward_dropped_48_value else forward_path_49;
+      if forward_dropped_48_value then
+        forward_dropped_48_choice := forward_path_54;
+      else
+        forward_dropped_48_choice := forward_path_49;
+      end if;
       forward_dropped_49_value := (((forward_path_55 - forward_path_50) mod 2048) / 1024) = 1;
-      forward_dropped_49_choice := forward_path_55 when forward_dropped_49_value else forward_path_50;
+      if forward_dropped_49_value then
+        forward_dropped_49_choice := forward_path_55;
+      else
+        forward_dropped_49_choice := forward_path_50;
+      end if;
       forward_dropped_50_value := (((forward_path_56 - forward_path_51) mod 2048) / 1024) = 1;
-      forward_dropped_50_choice := forward_path_56 when forward_dropped_50_value else forward_path_51;
+      if forward_dropped_50_value then
+        forward_dropped_50_choice := forward_path_56;
+      else
+        forward_dropped_50_choice := forward_path_51;
+      end if;
       forward_dropped_51_value := (((forward_path_57 - forward_path_52) mod 2048) / 1024) = 1;
-      forward_dropped_51_choice := forward_path_57 when forward_dropped_51_value else forward_path_52;
+      if forward_dropped_51_value then
+        forward_dropped_51_choice := forward_path_57;
+      else
+        forward_dropped_51_choice := forward_path_52;
+      end if;
       forward_dropped_52_value := (((forward_path_58 - forward_path_53) mod 2048) / 1024) = 1;
-      forward_dropped_52_choice := forward_path_58 when forward_dropped_52_value else forward_path_53;
+      if forward_dropped_52_value then
+        forward_dropped_52_choice := forward_path_58;
+      else
+        forward_dropped_52_choice := forward_path_53;
+      end if;
       forward_dropped_53_value := (((forward_path_59 - forward_path_54) mod 2048) / 1024) = 1;
-      forward_dropped_53_choice := forward_path_59 when forward_dropped_53_value else forward_path_54;
+      if forward_dropped_53_value then
+        forward_dropped_53_choice := forward_path_59;
+      else
+        forward_dropped_53_choice := forward_path_54;
+      end if;
       forward_dropped_54_value := (((forward_path_60 - forward_path_55) mod 2048) / 1024) = 1;
-      forward_dropped_54_choice := forward_path_60 when forward_dropped_54_value else forward_path_55;
+      if forward_dropped_54_value then
+        forward_dropped_54_choice := forward_path_60;
+      else
+        forward_dropped_54_choice := forward_path_55;
+      end if;
       forward_dropped_55_value := (((forward_path_61 - forward_path_56) mod 2048) / 1024) = 1;
-      forward_dropped_55_choice := forward_path_61 when forward_dropped_55_value else forward_path_56;
+      if forward_dropped_55_value then
+        forward_dropped_55_choice := forward_path_61;
+      else
+        forward_dropped_55_choice := forward_path_56;
+      end if;
       forward_dropped_56_value := (((forward_path_62 - forward_path_57) mod 2048) / 1024) = 1;
-      forward_dropped_56_choice := forward_path_62 when forward_dropped_56_value else forward_path_57;
+      if forward_dropped_56_value then
+        forward_dropped_56_choice := forward_path_62;
+      else
+        forward_dropped_56_choice := forward_path_57;
+      end if;
       forward_dropped_57_value := (((forward_path_63 - forward_path_58) mod 2048) / 1024) = 1;
-      forward_dropped_57_choice := forward_path_63 when forward_dropped_57_value else forward_path_58;
-      forward_decision_0_choice := 2 when forward_far_0 else 1;
-      forward_decision_1_choice := 2 when forward_far_1 else 1;
-      forward_decision_1_choice_2 := forward_decision_1_choice when forward_path_1_value else 0;
-      forward_decision_2_choice := 2 when forward_far_2 else 1;
-      forward_decision_2_choice_2 := forward_decision_2_choice when forward_path_2_value else 0;
-      forward_decision_3_choice := 2 when forward_far_3 else 1;
-      forward_decision_3_choice_2 := forward_decision_3_choice when forward_path_3_value else 0;
-      forward_decision_4_choice := 2 when forward_far_4 else 1;
-      forward_decision_4_choice_2 := forward_decision_4_choice when forward_path_4_value else 0;
-      forward_decision_5_choice := 2 when forward_far_5 else 1;
-      forward_decision_5_choice_2 := forward_decision_5_choice when forward_path_5_value else 0;
-      forward_decision_6_choice := 2 when forward_far_6 else 1;
-      forward_decision_6_choice_2 := forward_decision_6_choice when forward_path_6_value else 0;
-      forward_decision_7_choice := 2 when forward_far_7 else 1;
-      forward_decision_7_choice_2 := forward_decision_7_choice when forward_path_7_value else 0;
-      forward_decision_8_choice := 2 when forward_far_8 else 1;
-      forward_decision_8_choice_2 := forward_decision_8_choice when forward_path_8_value else 0;
-      forward_decision_9_choice := 2 when forward_far_9 else 1;
-      forward_decision_9_choice_2 := forward_decision_9_choice when forward_path_9_value else 0;
-      forward_decision_10_choice := 2 when forward_far_10 else 1;
-      forward_decision_10_choice_2 := forward_decision_10_choice when forward_path_10_value else 0;
-      forward_decision_11_choice := 2 when forward_far_11 else 1;
-      forward_decision_11_choice_2 := forward_decision_11_choice when forward_path_11_value else 0;
-      forward_decision_12_choice := 2 when forward_far_12 else 1;
-      forward_decision_12_choice_2 := forward_decision_12_choice when forward_path_12_value else 0;
-      forward_decision_13_choice := 2 when forward_far_13 else 1;
-      forward_decision_13_choice_2 := forward_decision_13_choice when forward_path_13_value else 0;
-      forward_decision_14_choice := 2 when forward_far_14 else 1;
-      forward_decision_14_choice_2 := forward_decision_14_choice when forward_path_14_value else 0;
-      forward_decision_15_choice := 2 when forward_far_15 else 1;
-      forward_decision_15_choice_2 := forward_decision_15_choice when forward_path_15_value else 0;
-      forward_decision_16_choice := 2 when forward_far_16 else 1;
-      forward_decision_16_choice_2 := forward_decision_16_choice when forward_path_16_value else 0;
-      forward_decision_17_choice := 2 when forward_far_17 else 1;
-      forward_decision_17_choice_2 := forward_decision_17_choice when forward_path_17_value else 0;
-      forward_decision_18_choice := 2 when forward_far_18 else 1;
-      forward_decision_18_choice_2 := forward_decision_18_choice when forward_path_18_value else 0;
-      forward_decision_19_choice := 2 when forward_far_19 else 1;
-      forward_decision_19_choice_2 := forward_decision_19_choice when forward_path_19_value else 0;
-      forward_decision_20_choice := 2 when forward_far_20 else 1;
-      forward_decision_20_choice_2 := forward_decision_20_choice when forward_path_20_value else 0;
-      forward_decision_21_choice := 2 when forward_far_21 else 1;
-      forward_decision_21_choice_2 := forward_decision_21_choice when forward_path_21_value else 0;
-      forward_decision_22_choice := 2 when forward_far_22 else 1;
-      forward_decision_22_choice_2 := forward_decision_22_choice when forward_path_22_value else 0;
-      forward_decision_23_choice := 2 when forward_far_23 else 1;
-      forward_decision_23_choice_2 := forward_decision_23_choice when forward_path_23_value else 0;
-      forward_decision_24_choice := 2 when forward_far_24 else 1;
-      forward_decision_24_choice_2 := forward_decision_24_choice when forward_path_24_value else 0;
-      forward_decision_25_choice := 2 when forward_far_25 else 1;
-      forward_decision_25_choice_2 := forward_decision_25_choice when forward_path_25_value else 0;
-      forward_decision_26_choice := 2 when forward_far_26 else 1;
-      forward_decision_26_choice_2 := forward_decision_26_choice when forward_path_26_value else 0;
-      forward_decision_27_choice := 2 when forward_far_27 else 1;
-      forward_decision_27_choice_2 := forward_decision_27_choice when forward_path_27_value else 0;
-      forward_decision_28_choice := 2 when forward_far_28 else 1;
-      forward_decision_28_choice_2 := forward_decision_28_choice when forward_path_28_value else 0;
-      forward_decision_29_choice := 2 when forward_far_29 else 1;
-      forward_decision_29_choice_2 := forward_decision_29_choice when forward_path_29_value else 0;
-      forward_decision_30_choice := 2 when forward_far_30 else 1;
-      forward_decision_30_choice_2 := forward_decision_30_choice when forward_path_30_value else 0;
-      forward_decision_31_choice := 2 when forward_far_31 else 1;
-      forward_decision_31_choice_2 := forward_decision_31_choice when forward_path_31_value else 0;
-      forward_decision_32_choice := 2 when forward_far_32 else 1;
-      forward_decision_32_choice_2 := forward_decision_32_choice when forward_path_32_value else 0;
-      forward_decision_33_choice := 2 when forward_far_33 else 1;
-      forward_decision_33_choice_2 := forward_decision_33_choice when forward_path_33_value else 0;
-      forward_decision_34_choice := 2 when forward_far_34 else 1;
-      forward_decision_34_choice_2 := forward_decision_34_choice when forward_path_34_value else 0;
-      forward_decision_35_choice := 2 when forward_far_35 else 1;
-      forward_decision_35_choice_2 := forward_decision_35_choice when forward_path_35_value else 0;
-      forward_decision_36_choice := 2 when forward_far_36 else 1;
-      forward_decision_36_choice_2 := forward_decision_36_choice when forward_path_36_value else 0;
-      forward_decision_37_choice := 2 when forward_far_37 else 1;
-      forward_decision_37_choice_2 := forward_decision_37_choice when forward_path_37_value else 0;
-      forward_decision_38_choice := 2 when forward_far_38 else 1;
-      forward_decision_38_choice_2 := forward_decision_38_choice when forward_path_38_value else 0;
-      forward_decision_39_choice := 2 when forward_far_39 else 1;
-      forward_decision_39_choice_2 := forward_decision_39_choice when forward_path_39_value else 0;
-      forward_decision_40_choice := 2 when forward_far_40 else 1;
-      forward_decision_40_choice_2 := forward_decision_40_choice when forward_path_40_value else 0;
-      forward_decision_41_choice := 2 when forward_far_41 else 1;
-      forward_decision_41_choice_2 := forward_decision_41_choice when forward_path_41_value else 0;
-      forward_decision_42_choice := 2 when forward_far_42 else 1;
-      forward_decision_42_choice_2 := forward_decision_42_choice when forward_path_42_value else 0;
-      forward_decision_43_choice := 2 when forward_far_43 else 1;
-      forward_decision_43_choice_2 := forward_decision_43_choice when forward_path_43_value else 0;
-      forward_decision_44_choice := 2 when forward_far_44 else 1;
-      forward_decision_44_choice_2 := forward_decision_44_choice when forward_path_44_value else 0;
-      forward_decision_45_choice := 2 when forward_far_45 else 1;
-      forward_decision_45_choice_2 := forward_decision_45_choice when forward_path_45_value else 0;
-      forward_decision_46_choice := 2 when forward_far_46 else 1;
-      forward_decision_46_choice_2 := forward_decision_46_choice when forward_path_46_value else 0;
-      forward_decision_47_choice := 2 when forward_far_47 else 1;
-      forward_decision_47_choice_2 := forward_decision_47_choice when forward_path_47_value else 0;
-      forward_decision_48_choice := 2 when forward_far_48 else 1;
-      forward_decision_48_choice_2 := forward_decision_48_choice when forward_path_48_value else 0;
-      forward_decision_49_choice := 2 when forward_far_49 else 1;
-      forward_decision_49_choice_2 := forward_decision_49_choice when forward_path_49_value else 0;
-      forward_decision_50_choice := 2 when forward_far_50 else 1;
-      forward_decision_50_choice_2 := forward_decision_50_choice when forward_path_50_value else 0;
-      forward_decision_51_choice := 2 when forward_far_51 else 1;
-      forward_decision_51_choice_2 := forward_decision_51_choice when forward_path_51_value else 0;
-      forward_decision_52_choice := 2 when forward_far_52 else 1;
-      forward_decision_52_choice_2 := forward_decision_52_choice when forward_path_52_value else 0;
-      forward_decision_53_choice := 2 when forward_far_53 else 1;
-      forward_decision_53_choice_2 := forward_decision_53_choice when forward_path_53_value else 0;
-      forward_decision_54_choice := 2 when forward_far_54 else 1;
-      forward_decision_54_choice_2 := forward_decision_54_choice when forward_path_54_value else 0;
-      forward_decision_55_choice := 2 when forward_far_55 else 1;
-      forward_decision_55_choice_2 := forward_decision_55_choice when forward_path_55_value else 0;
-      forward_decision_56_choice := 2 when forward_far_56 else 1;
-      forward_decision_56_choice_2 := forward_decision_56_choice when forward_path_56_value else 0;
-      forward_decision_57_choice := 2 when forward_far_57 else 1;
-      forward_decision_57_choice_2 := forward_decision_57_choice when forward_path_57_value else 0;
+      if forward_dropped_57_value then
+        forward_dropped_57_choice := forward_path_63;
+      else
+        forward_dropped_57_choice := forward_path_58;
+      end if;
+      if forward_far_0 then
+        forward_decision_0_choice := 2;
+      else
+        forward_decision_0_choice := 1;
+      end if;
+      if forward_far_1 then
+        forward_decision_1_choice := 2;
+      else
+        forward_decision_1_choice := 1;
+      end if;
+      if forward_path_1_value then
+        forward_decision_1_choice_2 := forward_decision_1_choice;
+      else
+        forward_decision_1_choice_2 := 0;
+      end if;
+      if forward_far_2 then
+        forward_decision_2_choice := 2;
+      else
+        forward_decision_2_choice := 1;
+      end if;
+      if forward_path_2_value then
+        forward_decision_2_choice_2 := forward_decision_2_choice;
+      else
+        forward_decision_2_choice_2 := 0;
+      end if;
+      if forward_far_3 then
+        forward_decision_3_choice := 2;
+      else
+        forward_decision_3_choice := 1;
+      end if;
+      if forward_path_3_value then
+        forward_decision_3_choice_2 := forward_decision_3_choice;
+      else
+        forward_decision_3_choice_2 := 0;
+      end if;
+      if forward_far_4 then
+        forward_decision_4_choice := 2;
+      else
+        forward_decision_4_choice := 1;
+      end if;
+      if forward_path_4_value then
+        forward_decision_4_choice_2 := forward_decision_4_choice;
+      else
+        forward_decision_4_choice_2 := 0;
+      end if;
+      if forward_far_5 then
+        forward_decision_5_choice := 2;
+      else
+        forward_decision_5_choice := 1;
+      end if;
+      if forward_path_5_value then
+        forward_decision_5_choice_2 := forward_decision_5_choice;
+      else
+        forward_decision_5_choice_2 := 0;
+      end if;
+      if forward_far_6 then
+        forward_decision_6_choice := 2;
+      else
+        forward_decision_6_choice := 1;
+      end if;
+      if forward_path_6_value then
+        forward_decision_6_choice_2 := forward_decision_6_choice;
+      else
+        forward_decision_6_choice_2 := 0;
+      end if;
+      if forward_far_7 then
+        forward_decision_7_choice := 2;
+      else
+        forward_decision_7_choice := 1;
+      end if;
+      if forward_path_7_value then
+        forward_decision_7_choice_2 := forward_decision_7_choice;
+      else
+        forward_decision_7_choice_2 := 0;
+      end if;
+      if forward_far_8 then
+        forward_decision_8_choice := 2;
+      else
+        forward_decision_8_choice := 1;
+      end if;
+      if forward_path_8_value then
+        forward_decision_8_choice_2 := forward_decision_8_choice;
+      else
+        forward_decision_8_choice_2 := 0;
+      end if;
+      if forward_far_9 then
+        forward_decision_9_choice := 2;
+      else
+        forward_decision_9_choice := 1;
+      end if;
+      if forward_path_9_value then
+        forward_decision_9_choice_2 := forward_decision_9_choice;
+      else
+        forward_decision_9_choice_2 := 0;
+      end if;
+      if forward_far_10 then
+        forward_decision_10_choice := 2;
+      else
+        forward_decision_10_choice := 1;
+      end if;
+      if forward_path_10_value then
+        forward_decision_10_choice_2 := forward_decision_10_choice;
+      else
+        forward_decision_10_choice_2 := 0;
+      end if;
+      if forward_far_11 then
+        forward_decision_11_choice := 2;
+      else
+        forward_decision_11_choice := 1;
+      end if;
+      if forward_path_11_value then
+        forward_decision_11_choice_2 := forward_decision_11_choice;
+      else
+        forward_decision_11_choice_2 := 0;
+      end if;
+      if forward_far_12 then
+        forward_decision_12_choice := 2;
+      else
+        forward_decision_12_choice := 1;
+      end if;
+      if forward_path_12_value then
+        forward_decision_12_choice_2 := forward_decision_12_choice;
+      else
+        forward_decision_12_choice_2 := 0;
+      end if;
+      if forward_far_13 then
+        forward_decision_13_choice := 2;
+      else
+        forward_decision_13_choice := 1;
+      end if;
+      if forward_path_13_value then
+        forward_decision_13_choice_2 := forward_decision_13_choice;
+      else
+        forward_decision_13_choice_2 := 0;
+      end if;
+      if forward_far_14 then
+        forward_decision_14_choice := 2;
+      else
+        forward_decision_14_choice := 1;
+      end if;
+      if forward_path_14_value then
+        forward_decision_14_choice_2 := forward_decision_14_choice;
+      else
+        forward_decision_14_choice_2 := 0;
+      end if;
+      if forward_far_15 then
+        forward_decision_15_choice := 2;
+      else
+        forward_decision_15_choice := 1;
+      end if;
+      if forward_path_15_value then
+        forward_decision_15_choice_2 := forward_decision_15_choice;
+      else
+        forward_decision_15_choice_2 := 0;
+      end if;
+      if forward_far_16 then
+        forward_decision_16_choice := 2;
+      else
+        forward_decision_16_choice := 1;
+      end if;
+      if forward_path_16_value then
+        forward_decision_16_choice_2 := forward_decision_16_choice;
+      else
+        forward_decision_16_choice_2 := 0;
+      end if;
+      if forward_far_17 then
+        forward_decision_17_choice := 2;
+      else
+        forward_decision_17_choice := 1;
+      end if;
+      if forward_path_17_value then
+        forward_decision_17_choice_2 := forward_decision_17_choice;
+      else
+        forward_decision_17_choice_2 := 0;
+      end if;
+      if forward_far_18 then
+        forward_decision_18_choice := 2;
+      else
+        forward_decision_18_choice := 1;
+      end if;
+      if forward_path_18_value then
+        forward_decision_18_choice_2 := forward_decision_18_choice;
+      else
+        forward_decision_18_choice_2 := 0;
+      end if;
+      if forward_far_19 then
+        forward_decision_19_choice := 2;
+      else
+        forward_decision_19_choice := 1;
+      end if;
+      if forward_path_19_value then
+        forward_decision_19_choice_2 := forward_decision_19_choice;
+      else
+        forward_decision_19_choice_2 := 0;
+      end if;
+      if forward_far_20 then
+        forward_decision_20_choice := 2;
+      else
+        forward_decision_20_choice := 1;
+      end if;
+      if forward_path_20_value then
+        forward_decision_20_choice_2 := forward_decision_20_choice;
+      else
+        forward_decision_20_choice_2 := 0;
+      end if;
+      if forward_far_21 then
+        forward_decision_21_choice := 2;
+      else
+        forward_decision_21_choice := 1;
+      end if;
+      if forward_path_21_value then
+        forward_decision_21_choice_2 := forward_decision_21_choice;
+      else
+        forward_decision_21_choice_2 := 0;
+      end if;
+      if forward_far_22 then
+        forward_decision_22_choice := 2;
+      else
+        forward_decision_22_choice := 1;
+      end if;
+      if forward_path_22_value then
+        forward_decision_22_choice_2 := forward_decision_22_choice;
+      else
+        forward_decision_22_choice_2 := 0;
+      end if;
+      if forward_far_23 then
+        forward_decision_23_choice := 2;
+      else
+        forward_decision_23_choice := 1;
+      end if;
+      if forward_path_23_value then
+        forward_decision_23_choice_2 := forward_decision_23_choice;
+      else
+        forward_decision_23_choice_2 := 0;
+      end if;
+      if forward_far_24 then
+        forward_decision_24_choice := 2;
+      else
+        forward_decision_24_choice := 1;
+      end if;
+      if forward_path_24_value then
+        forward_decision_24_choice_2 := forward_decision_24_choice;
+      else
+        forward_decision_24_choice_2 := 0;
+      end if;
+      if forward_far_25 then
+        forward_decision_25_choice := 2;
+      else
+        forward_decision_25_choice := 1;
+      end if;
+      if forward_path_25_value then
+        forward_decision_25_choice_2 := forward_decision_25_choice;
+      else
+        forward_decision_25_choice_2 := 0;
+      end if;
+      if forward_far_26 then
+        forward_decision_26_choice := 2;
+      else
+        forward_decision_26_choice := 1;
+      end if;
+      if forward_path_26_value then
+        forward_decision_26_choice_2 := forward_decision_26_choice;
+      else
+        forward_decision_26_choice_2 := 0;
+      end if;
+      if forward_far_27 then
+        forward_decision_27_choice := 2;
+      else
+        forward_decision_27_choice := 1;
+      end if;
+      if forward_path_27_value then
+        forward_decision_27_choice_2 := forward_decision_27_choice;
+      else
+        forward_decision_27_choice_2 := 0;
+      end if;
+      if forward_far_28 then
+        forward_decision_28_choice := 2;
+      else
+        forward_decision_28_choice := 1;
+      end if;
+      if forward_path_28_value then
+        forward_decision_28_choice_2 := forward_decision_28_choice;
+      else
+        forward_decision_28_choice_2 := 0;
+      end if;
+      if forward_far_29 then
+        forward_decision_29_choice := 2;
+      else
+        forward_decision_29_choice := 1;
+      end if;
+      if forward_path_29_value then
+        forward_decision_29_choice_2 := forward_decision_29_choice;
+      else
+        forward_decision_29_choice_2 := 0;
+      end if;
+      if forward_far_30 then
+        forward_decision_30_choice := 2;
+      else
+        forward_decision_30_choice := 1;
+      end if;
+      if forward_path_30_value then
+        forward_decision_30_choice_2 := forward_decision_30_choice;
+      else
+        forward_decision_30_choice_2 := 0;
+      end if;
+      if forward_far_31 then
+        forward_decision_31_choice := 2;
+      else
+        forward_decision_31_choice := 1;
+      end if;
+      if forward_path_31_value then
+        forward_decision_31_choice_2 := forward_decision_31_choice;
+      else
+        forward_decision_31_choice_2 := 0;
+      end if;
+      if forward_far_32 then
+        forward_decision_32_choice := 2;
+      else
+        forward_decision_32_choice := 1;
+      end if;
+      if forward_path_32_value then
+        forward_decision_32_choice_2 := forward_decision_32_choice;
+      else
+        forward_decision_32_choice_2 := 0;
+      end if;
+      if forward_far_33 then
+        forward_decision_33_choice := 2;
+      else
+        forward_decision_33_choice := 1;
+      end if;
+      if forward_path_33_value then
+        forward_decision_33_choice_2 := forward_decision_33_choice;
+      else
+        forward_decision_33_choice_2 := 0;
+      end if;
+      if forward_far_34 then
+        forward_decision_34_choice := 2;
+      else
+        forward_decision_34_choice := 1;
+      end if;
+      if forward_path_34_value then
+        forward_decision_34_choice_2 := forward_decision_34_choice;
+      else
+        forward_decision_34_choice_2 := 0;
+      end if;
+      if forward_far_35 then
+        forward_decision_35_choice := 2;
+      else
+        forward_decision_35_choice := 1;
+      end if;
+      if forward_path_35_value then
+        forward_decision_35_choice_2 := forward_decision_35_choice;
+      else
+        forward_decision_35_choice_2 := 0;
+      end if;
+      if forward_far_36 then
+        forward_decision_36_choice := 2;
+      else
+        forward_decision_36_choice := 1;
+      end if;
+      if forward_path_36_value then
+        forward_decision_36_choice_2 := forward_decision_36_choice;
+      else
+        forward_decision_36_choice_2 := 0;
+      end if;
+      if forward_far_37 then
+        forward_decision_37_choice := 2;
+      else
+        forward_decision_37_choice := 1;
+      end if;
+      if forward_path_37_value then
+        forward_decision_37_choice_2 := forward_decision_37_choice;
+      else
+        forward_decision_37_choice_2 := 0;
+      end if;
+      if forward_far_38 then
+        forward_decision_38_choice := 2;
+      else
+        forward_decision_38_choice := 1;
+      end if;
+      if forward_path_38_value then
+        forward_decision_38_choice_2 := forward_decision_38_choice;
+      else
+        forward_decision_38_choice_2 := 0;
+      end if;
+      if forward_far_39 then
+        forward_decision_39_choice := 2;
+      else
+        forward_decision_39_choice := 1;
+      end if;
+      if forward_path_39_value then
+        forward_decision_39_choice_2 := forward_decision_39_choice;
+      else
+        forward_decision_39_choice_2 := 0;
+      end if;
+      if forward_far_40 then
+        forward_decision_40_choice := 2;
+      else
+        forward_decision_40_choice := 1;
+      end if;
+      if forward_path_40_value then
+        forward_decision_40_choice_2 := forward_decision_40_choice;
+      else
+        forward_decision_40_choice_2 := 0;
+      end if;
+      if forward_far_41 then
+        forward_decision_41_choice := 2;
+      else
+        forward_decision_41_choice := 1;
+      end if;
+      if forward_path_41_value then
+        forward_decision_41_choice_2 := forward_decision_41_choice;
+      else
+        forward_decision_41_choice_2 := 0;
+      end if;
+      if forward_far_42 then
+        forward_decision_42_choice := 2;
+      else
+        forward_decision_42_choice := 1;
+      end if;
+      if forward_path_42_value then
+        forward_decision_42_choice_2 := forward_decision_42_choice;
+      else
+        forward_decision_42_choice_2 := 0;
+      end if;
+      if forward_far_43 then
+        forward_decision_43_choice := 2;
+      else
+        forward_decision_43_choice := 1;
+      end if;
+      if forward_path_43_value then
+        forward_decision_43_choice_2 := forward_decision_43_choice;
+      else
+        forward_decision_43_choice_2 := 0;
+      end if;
+      if forward_far_44 then
+        forward_decision_44_choice := 2;
+      else
+        forward_decision_44_choice := 1;
+      end if;
+      if forward_path_44_value then
+        forward_decision_44_choice_2 := forward_decision_44_choice;
+      else
+        forward_decision_44_choice_2 := 0;
+      end if;
+      if forward_far_45 then
+        forward_decision_45_choice := 2;
+      else
+        forward_decision_45_choice := 1;
+      end if;
+      if forward_path_45_value then
+        forward_decision_45_choice_2 := forward_decision_45_choice;
+      else
+        forward_decision_45_choice_2 := 0;
+      end if;
+      if forward_far_46 then
+        forward_decision_46_choice := 2;
+      else
+        forward_decision_46_choice := 1;
+      end if;
+      if forward_path_46_value then
+        forward_decision_46_choice_2 := forward_decision_46_choice;
+      else
+        forward_decision_46_choice_2 := 0;
+      end if;
+      if forward_far_47 then
+        forward_decision_47_choice := 2;
+      else
+        forward_decision_47_choice := 1;
+      end if;
+      if forward_path_47_value then
+        forward_decision_47_choice_2 := forward_decision_47_choice;
+      else
+        forward_decision_47_choice_2 := 0;
+      end if;
+      if forward_far_48 then
+        forward_decision_48_choice := 2;
+      else
+        forward_decision_48_choice := 1;
+      end if;
+      if forward_path_48_value then
+        forward_decision_48_choice_2 := forward_decision_48_choice;
+      else
+        forward_decision_48_choice_2 := 0;
+      end if;
+      if forward_far_49 then
+        forward_decision_49_choice := 2;
+      else
+        forward_decision_49_choice := 1;
+      end if;
+      if forward_path_49_value then
+        forward_decision_49_choice_2 := forward_decision_49_choice;
+      else
+        forward_decision_49_choice_2 := 0;
+      end if;
+      if forward_far_50 then
+        forward_decision_50_choice := 2;
+      else
+        forward_decision_50_choice := 1;
+      end if;
+      if forward_path_50_value then
+        forward_decision_50_choice_2 := forward_decision_50_choice;
+      else
+        forward_decision_50_choice_2 := 0;
+      end if;
+      if forward_far_51 then
+        forward_decision_51_choice := 2;
+      else
+        forward_decision_51_choice := 1;
+      end if;
+      if forward_path_51_value then
+        forward_decision_51_choice_2 := forward_decision_51_choice;
+      else
+        forward_decision_51_choice_2 := 0;
+      end if;
+      if forward_far_52 then
+        forward_decision_52_choice := 2;
+      else
+        forward_decision_52_choice := 1;
+      end if;
+      if forward_path_52_value then
+        forward_decision_52_choice_2 := forward_decision_52_choice;
+      else
+        forward_decision_52_choice_2 := 0;
+      end if;
+      if forward_far_53 then
+        forward_decision_53_choice := 2;
+      else
+        forward_decision_53_choice := 1;
+      end if;
+      if forward_path_53_value then
+        forward_decision_53_choice_2 := forward_decision_53_choice;
+      else
+        forward_decision_53_choice_2 := 0;
+      end if;
+      if forward_far_54 then
+        forward_decision_54_choice := 2;
+      else
+        forward_decision_54_choice := 1;
+      end if;
+      if forward_path_54_value then
+        forward_decision_54_choice_2 := forward_decision_54_choice;
+      else
+        forward_decision_54_choice_2 := 0;
+      end if;
+      if forward_far_55 then
+        forward_decision_55_choice := 2;
+      else
+        forward_decision_55_choice := 1;
+      end if;
+      if forward_path_55_value then
+        forward_decision_55_choice_2 := forward_decision_55_choice;
+      else
+        forward_decision_55_choice_2 := 0;
+      end if;
+      if forward_far_56 then
+        forward_decision_56_choice := 2;
+      else
+        forward_decision_56_choice := 1;
+      end if;
+      if forward_path_56_value then
+        forward_decision_56_choice_2 := forward_decision_56_choice;
+      else
+        forward_decision_56_choice_2 := 0;
+      end if;
+      if forward_far_57 then
+        forward_decision_57_choice := 2;
+      else
+        forward_decision_57_choice := 1;
+      end if;
+      if forward_path_57_value then
+        forward_decision_57_choice_2 := forward_decision_57_choice;
+      else
+        forward_decision_57_choice_2 := 0;
+      end if;
       if entry_tag_valid then
         forward_next_cost_0 <= entry_cost_0;
         forward_next_cost_1 <= entry_cost_1;
@@ -13217,413 +16362,1129 @@ begin
         forward_stayed_61 <= (forward_path_61_choice_3 + forward_next_cost_61) mod 2048;
         forward_stayed_62 <= (forward_path_62_choice_3 + forward_next_cost_62) mod 2048;
         forward_stayed_63 <= (forward_path_63_choice_3 + forward_next_cost_63) mod 2048;
-        forward_occluding_0 <= 512 when forward_next_first else (forward_path_0_choice_2 + 7) mod 2048;
-        forward_occluding_1 <= 512 when forward_next_first else (forward_path_1_choice_3 + 7) mod 2048;
-        forward_occluding_2 <= 512 when forward_next_first else (forward_path_2_choice_3 + 7) mod 2048;
-        forward_occluding_3 <= 512 when forward_next_first else (forward_path_3_choice_3 + 7) mod 2048;
-        forward_occluding_4 <= 512 when forward_next_first else (forward_path_4_choice_3 + 7) mod 2048;
-        forward_occluding_5 <= 512 when forward_next_first else (forward_path_5_choice_3 + 7) mod 2048;
-        forward_occluding_6 <= 512 when forward_next_first else (forward_path_6_choice_3 + 7) mod 2048;
-        forward_occluding_7 <= 512 when forward_next_first else (forward_path_7_choice_3 + 7) mod 2048;
-        forward_occluding_8 <= 512 when forward_next_first else (forward_path_8_choice_3 + 7) mod 2048;
-        forward_occluding_9 <= 512 when forward_next_first else (forward_path_9_choice_3 + 7) mod 2048;
-        forward_occluding_10 <= 512 when forward_next_first else (forward_path_10_choice_3 + 7) mod 2048;
-        forward_occluding_11 <= 512 when forward_next_first else (forward_path_11_choice_3 + 7) mod 2048;
-        forward_occluding_12 <= 512 when forward_next_first else (forward_path_12_choice_3 + 7) mod 2048;
-        forward_occluding_13 <= 512 when forward_next_first else (forward_path_13_choice_3 + 7) mod 2048;
-        forward_occluding_14 <= 512 when forward_next_first else (forward_path_14_choice_3 + 7) mod 2048;
-        forward_occluding_15 <= 512 when forward_next_first else (forward_path_15_choice_3 + 7) mod 2048;
-        forward_occluding_16 <= 512 when forward_next_first else (forward_path_16_choice_3 + 7) mod 2048;
-        forward_occluding_17 <= 512 when forward_next_first else (forward_path_17_choice_3 + 7) mod 2048;
-        forward_occluding_18 <= 512 when forward_next_first else (forward_path_18_choice_3 + 7) mod 2048;
-        forward_occluding_19 <= 512 when forward_next_first else (forward_path_19_choice_3 + 7) mod 2048;
-        forward_occluding_20 <= 512 when forward_next_first else (forward_path_20_choice_3 + 7) mod 2048;
-        forward_occluding_21 <= 512 when forward_next_first else (forward_path_21_choice_3 + 7) mod 2048;
-        forward_occluding_22 <= 512 when forward_next_first else (forward_path_22_choice_3 + 7) mod 2048;
-        forward_occluding_23 <= 512 when forward_next_first else (forward_path_23_choice_3 + 7) mod 2048;
-        forward_occluding_24 <= 512 when forward_next_first else (forward_path_24_choice_3 + 7) mod 2048;
-        forward_occluding_25 <= 512 when forward_next_first else (forward_path_25_choice_3 + 7) mod 2048;
-        forward_occluding_26 <= 512 when forward_next_first else (forward_path_26_choice_3 + 7) mod 2048;
-        forward_occluding_27 <= 512 when forward_next_first else (forward_path_27_choice_3 + 7) mod 2048;
-        forward_occluding_28 <= 512 when forward_next_first else (forward_path_28_choice_3 + 7) mod 2048;
-        forward_occluding_29 <= 512 when forward_next_first else (forward_path_29_choice_3 + 7) mod 2048;
-        forward_occluding_30 <= 512 when forward_next_first else (forward_path_30_choice_3 + 7) mod 2048;
-        forward_occluding_31 <= 512 when forward_next_first else (forward_path_31_choice_3 + 7) mod 2048;
-        forward_occluding_32 <= 512 when forward_next_first else (forward_path_32_choice_3 + 7) mod 2048;
-        forward_occluding_33 <= 512 when forward_next_first else (forward_path_33_choice_3 + 7) mod 2048;
-        forward_occluding_34 <= 512 when forward_next_first else (forward_path_34_choice_3 + 7) mod 2048;
-        forward_occluding_35 <= 512 when forward_next_first else (forward_path_35_choice_3 + 7) mod 2048;
-        forward_occluding_36 <= 512 when forward_next_first else (forward_path_36_choice_3 + 7) mod 2048;
-        forward_occluding_37 <= 512 when forward_next_first else (forward_path_37_choice_3 + 7) mod 2048;
-        forward_occluding_38 <= 512 when forward_next_first else (forward_path_38_choice_3 + 7) mod 2048;
-        forward_occluding_39 <= 512 when forward_next_first else (forward_path_39_choice_3 + 7) mod 2048;
-        forward_occluding_40 <= 512 when forward_next_first else (forward_path_40_choice_3 + 7) mod 2048;
-        forward_occluding_41 <= 512 when forward_next_first else (forward_path_41_choice_3 + 7) mod 2048;
-        forward_occluding_42 <= 512 when forward_next_first else (forward_path_42_choice_3 + 7) mod 2048;
-        forward_occluding_43 <= 512 when forward_next_first else (forward_path_43_choice_3 + 7) mod 2048;
-        forward_occluding_44 <= 512 when forward_next_first else (forward_path_44_choice_3 + 7) mod 2048;
-        forward_occluding_45 <= 512 when forward_next_first else (forward_path_45_choice_3 + 7) mod 2048;
-        forward_occluding_46 <= 512 when forward_next_first else (forward_path_46_choice_3 + 7) mod 2048;
-        forward_occluding_47 <= 512 when forward_next_first else (forward_path_47_choice_3 + 7) mod 2048;
-        forward_occluding_48 <= 512 when forward_next_first else (forward_path_48_choice_3 + 7) mod 2048;
-        forward_occluding_49 <= 512 when forward_next_first else (forward_path_49_choice_3 + 7) mod 2048;
-        forward_occluding_50 <= 512 when forward_next_first else (forward_path_50_choice_3 + 7) mod 2048;
-        forward_occluding_51 <= 512 when forward_next_first else (forward_path_51_choice_3 + 7) mod 2048;
-        forward_occluding_52 <= 512 when forward_next_first else (forward_path_52_choice_3 + 7) mod 2048;
-        forward_occluding_53 <= 512 when forward_next_first else (forward_path_53_choice_3 + 7) mod 2048;
-        forward_occluding_54 <= 512 when forward_next_first else (forward_path_54_choice_3 + 7) mod 2048;
-        forward_occluding_55 <= 512 when forward_next_first else (forward_path_55_choice_3 + 7) mod 2048;
-        forward_occluding_56 <= 512 when forward_next_first else (forward_path_56_choice_3 + 7) mod 2048;
-        forward_occluding_57 <= 512 when forward_next_first else (forward_path_57_choice_3 + 7) mod 2048;
-        forward_occluding_58 <= 512 when forward_next_first else (forward_path_58_choice_3 + 7) mod 2048;
-        forward_occluding_59 <= 512 when forward_next_first else (forward_path_59_choice_3 + 7) mod 2048;
-        forward_occluding_60 <= 512 when forward_next_first else (forward_path_60_choice_3 + 7) mod 2048;
-        forward_occluding_61 <= 512 when forward_next_first else (forward_path_61_choice_3 + 7) mod 2048;
-        forward_occluding_62 <= 512 when forward_next_first else (forward_path_62_choice_3 + 7) mod 2048;
-        forward_dropped_0 <= 512 when forward_next_first else (forward_pair_cost_0 + forward_dropped_0_choice) mod 2048;
-        forward_dropped_1 <= 512 when forward_next_first else (forward_pair_cost_1 + forward_dropped_1_choice) mod 2048;
-        forward_dropped_2 <= 512 when forward_next_first else (forward_pair_cost_2 + forward_dropped_2_choice) mod 2048;
-        forward_dropped_3 <= 512 when forward_next_first else (forward_pair_cost_3 + forward_dropped_3_choice) mod 2048;
-        forward_dropped_4 <= 512 when forward_next_first else (forward_pair_cost_4 + forward_dropped_4_choice) mod 2048;
-        forward_dropped_5 <= 512 when forward_next_first else (forward_pair_cost_5 + forward_dropped_5_choice) mod 2048;
-        forward_dropped_6 <= 512 when forward_next_first else (forward_pair_cost_6 + forward_dropped_6_choice) mod 2048;
-        forward_dropped_7 <= 512 when forward_next_first else (forward_pair_cost_7 + forward_dropped_7_choice) mod 2048;
-        forward_dropped_8 <= 512 when forward_next_first else (forward_pair_cost_8 + forward_dropped_8_choice) mod 2048;
-        forward_dropped_9 <= 512 when forward_next_first else (forward_pair_cost_9 + forward_dropped_9_choice) mod 2048;
-        forward_dropped_10 <= 512 when forward_next_first else (forward_pair_cost_10 + forward_dropped_10_choice) mod
-          2048;
-        forward_dropped_11 <= 512 when forward_next_first else (forward_pair_cost_11 + forward_dropped_11_choice) mod
-          2048;
-        forward_dropped_12 <= 512 when forward_next_first else (forward_pair_cost_12 + forward_dropped_12_choice) mod
-          2048;
-        forward_dropped_13 <= 512 when forward_next_first else (forward_pair_cost_13 + forward_dropped_13_choice) mod
-          2048;
-        forward_dropped_14 <= 512 when forward_next_first else (forward_pair_cost_14 + forward_dropped_14_choice) mod
-          2048;
-        forward_dropped_15 <= 512 when forward_next_first else (forward_pair_cost_15 + forward_dropped_15_choice) mod
-          2048;
-        forward_dropped_16 <= 512 when forward_next_first else (forward_pair_cost_16 + forward_dropped_16_choice) mod
-          2048;
-        forward_dropped_17 <= 512 when forward_next_first else (forward_pair_cost_17 + forward_dropped_17_choice) mod
-          2048;
-        forward_dropped_18 <= 512 when forward_next_first else (forward_pair_cost_18 + forward_dropped_18_choice) mod
-          2048;
-        forward_dropped_19 <= 512 when forward_next_first else (forward_pair_cost_19 + forward_dropped_19_choice) mod
-          2048;
-        forward_dropped_20 <= 512 when forward_next_first else (forward_pair_cost_20 + forward_dropped_20_choice) mod
-          2048;
-        forward_dropped_21 <= 512 when forward_next_first else (forward_pair_cost_21 + forward_dropped_21_choice) mod
-          2048;
-        forward_dropped_22 <= 512 when forward_next_first else (forward_pair_cost_22 + forward_dropped_22_choice) mod
-          2048;
-        forward_dropped_23 <= 512 when forward_next_first else (forward_pair_cost_23 + forward_dropped_23_choice) mod
-          2048;
-        forward_dropped_24 <= 512 when forward_next_first else (forward_pair_cost_24 + forward_dropped_24_choice) mod
-          2048;
-        forward_dropped_25 <= 512 when forward_next_first else (forward_pair_cost_25 + forward_dropped_25_choice) mod
-          2048;
-        forward_dropped_26 <= 512 when forward_next_first else (forward_pair_cost_26 + forward_dropped_26_choice) mod
-          2048;
-        forward_dropped_27 <= 512 when forward_next_first else (forward_pair_cost_27 + forward_dropped_27_choice) mod
-          2048;
-        forward_dropped_28 <= 512 when forward_next_first else (forward_pair_cost_28 + forward_dropped_28_choice) mod
-          2048;
-        forward_dropped_29 <= 512 when forward_next_first else (forward_pair_cost_29 + forward_dropped_29_choice) mod
-          2048;
-        forward_dropped_30 <= 512 when forward_next_first else (forward_pair_cost_30 + forward_dropped_30_choice) mod
-          2048;
-        forward_dropped_31 <= 512 when forward_next_first else (forward_pair_cost_31 + forward_dropped_31_choice) mod
-          2048;
-        forward_dropped_32 <= 512 when forward_next_first else (forward_pair_cost_32 + forward_dropped_32_choice) mod
-          2048;
-        forward_dropped_33 <= 512 when forward_next_first else (forward_pair_cost_33 + forward_dropped_33_choice) mod
-          2048;
-        forward_dropped_34 <= 512 when forward_next_first else (forward_pair_cost_34 + forward_dropped_34_choice) mod
-          2048;
-        forward_dropped_35 <= 512 when forward_next_first else (forward_pair_cost_35 + forward_dropped_35_choice) mod
-          2048;
-        forward_dropped_36 <= 512 when forward_next_first else (forward_pair_cost_36 + forward_dropped_36_choice) mod
-          2048;
-        forward_dropped_37 <= 512 when forward_next_first else (forward_pair_cost_37 + forward_dropped_37_choice) mod
-          2048;
-        forward_dropped_38 <= 512 when forward_next_first else (forward_pair_cost_38 + forward_dropped_38_choice) mod
-          2048;
-        forward_dropped_39 <= 512 when forward_next_first else (forward_pair_cost_39 + forward_dropped_39_choice) mod
-          2048;
-        forward_dropped_40 <= 512 when forward_next_first else (forward_pair_cost_40 + forward_dropped_40_choice) mod
-          2048;
-        forward_dropped_41 <= 512 when forward_next_first else (forward_pair_cost_41 + forward_dropped_41_choice) mod
-          2048;
-        forward_dropped_42 <= 512 when forward_next_first else (forward_pair_cost_42 + forward_dropped_42_choice) mod
-          2048;
-        forward_dropped_43 <= 512 when forward_next_first else (forward_pair_cost_43 + forward_dropped_43_choice) mod
-          2048;
-        forward_dropped_44 <= 512 when forward_next_first else (forward_pair_cost_44 + forward_dropped_44_choice) mod
-          2048;
-        forward_dropped_45 <= 512 when forward_next_first else (forward_pair_cost_45 + forward_dropped_45_choice) mod
-          2048;
-        forward_dropped_46 <= 512 when forward_next_first else (forward_pair_cost_46 + forward_dropped_46_choice) mod
-          2048;
-        forward_dropped_47 <= 512 when forward_next_first else (forward_pair_cost_47 + forward_dropped_47_choice) mod
-          2048;
-        forward_dropped_48 <= 512 when forward_next_first else (forward_pair_cost_48 + forward_dropped_48_choice) mod
-          2048;
-        forward_dropped_49 <= 512 when forward_next_first else (forward_pair_cost_49 + forward_dropped_49_choice) mod
-          2048;
-        forward_dropped_50 <= 512 when forward_next_first else (forward_pair_cost_50 + forward_dropped_50_choice) mod
-          2048;
-        forward_dropped_51 <= 512 when forward_next_first else (forward_pair_cost_51 + forward_dropped_51_choice) mod
-          2048;
-        forward_dropped_52 <= 512 when forward_next_first else (forward_pair_cost_52 + forward_dropped_52_choice) mod
-          2048;
-        forward_dropped_53 <= 512 when forward_next_first else (forward_pair_cost_53 + forward_dropped_53_choice) mod
-          2048;
-        forward_dropped_54 <= 512 when forward_next_first else (forward_pair_cost_54 + forward_dropped_54_choice) mod
-          2048;
-        forward_dropped_55 <= 512 when forward_next_first else (forward_pair_cost_55 + forward_dropped_55_choice) mod
-          2048;
-        forward_dropped_56 <= 512 when forward_next_first else (forward_pair_cost_56 + forward_dropped_56_choice) mod
-          2048;
-        forward_dropped_57 <= 512 when forward_next_first else (forward_pair_cost_57 + forward_dropped_57_choice) mod
-          2048;
-        forward_dropped_58 <= 512 when forward_next_first else (forward_pair_cost_58 + forward_path_59) mod 2048;
-        forward_dropped_59 <= 512 when forward_next_first else (forward_pair_cost_59 + forward_path_60) mod 2048;
-        forward_dropped_60 <= 512 when forward_next_first else (forward_pair_cost_60 + forward_path_61) mod 2048;
-        forward_dropped_61 <= 512 when forward_next_first else (forward_pair_cost_61 + forward_path_62) mod 2048;
-        forward_dropped_62 <= 512 when forward_next_first else (forward_pair_cost_62 + forward_path_63) mod 2048;
-        forward_dropped_63 <= 512 when forward_next_first else (forward_pair_cost_63 + forward_path_63) mod 2048;
         forward_far_0 <= forward_dropped_0_value and (not forward_next_first);
         forward_far_16 <= forward_dropped_16_value and (not forward_next_first);
         forward_far_32 <= forward_dropped_32_value and (not forward_next_first);
         forward_far_48 <= forward_dropped_48_value and (not forward_next_first);
-        forward_decision_0 <= forward_decision_0_choice when forward_path_0_value else 0;
-        forward_decision_1 <= forward_decision_1_choice_2 when forward_path_1_any else 3;
-        forward_decision_2 <= forward_decision_2_choice_2 when forward_path_2_any else 3;
-        forward_decision_3 <= forward_decision_3_choice_2 when forward_path_3_any else 3;
-        forward_decision_4 <= forward_decision_4_choice_2 when forward_path_4_any else 3;
-        forward_decision_5 <= forward_decision_5_choice_2 when forward_path_5_any else 3;
-        forward_decision_6 <= forward_decision_6_choice_2 when forward_path_6_any else 3;
-        forward_decision_7 <= forward_decision_7_choice_2 when forward_path_7_any else 3;
-        forward_decision_8 <= forward_decision_8_choice_2 when forward_path_8_any else 3;
-        forward_decision_9 <= forward_decision_9_choice_2 when forward_path_9_any else 3;
-        forward_decision_10 <= forward_decision_10_choice_2 when forward_path_10_any else 3;
-        forward_decision_11 <= forward_decision_11_choice_2 when forward_path_11_any else 3;
-        forward_decision_12 <= forward_decision_12_choice_2 when forward_path_12_any else 3;
-        forward_decision_13 <= forward_decision_13_choice_2 when forward_path_13_any else 3;
-        forward_decision_14 <= forward_decision_14_choice_2 when forward_path_14_any else 3;
-        forward_decision_15 <= forward_decision_15_choice_2 when forward_path_15_any else 3;
-        forward_decision_16 <= forward_decision_16_choice_2 when forward_path_16_any else 3;
-        forward_decision_17 <= forward_decision_17_choice_2 when forward_path_17_any else 3;
-        forward_decision_18 <= forward_decision_18_choice_2 when forward_path_18_any else 3;
-        forward_decision_19 <= forward_decision_19_choice_2 when forward_path_19_any else 3;
-        forward_decision_20 <= forward_decision_20_choice_2 when forward_path_20_any else 3;
-        forward_decision_21 <= forward_decision_21_choice_2 when forward_path_21_any else 3;
-        forward_decision_22 <= forward_decision_22_choice_2 when forward_path_22_any else 3;
-        forward_decision_23 <= forward_decision_23_choice_2 when forward_path_23_any else 3;
-        forward_decision_24 <= forward_decision_24_choice_2 when forward_path_24_any else 3;
-        forward_decision_25 <= forward_decision_25_choice_2 when forward_path_25_any else 3;
-        forward_decision_26 <= forward_decision_26_choice_2 when forward_path_26_any else 3;
-        forward_decision_27 <= forward_decision_27_choice_2 when forward_path_27_any else 3;
-        forward_decision_28 <= forward_decision_28_choice_2 when forward_path_28_any else 3;
-        forward_decision_29 <= forward_decision_29_choice_2 when forward_path_29_any else 3;
-        forward_decision_30 <= forward_decision_30_choice_2 when forward_path_30_any else 3;
-        forward_decision_31 <= forward_decision_31_choice_2 when forward_path_31_any else 3;
-        forward_decision_32 <= forward_decision_32_choice_2 when forward_path_32_any else 3;
-        forward_decision_33 <= forward_decision_33_choice_2 when forward_path_33_any else 3;
-        forward_decision_34 <= forward_decision_34_choice_2 when forward_path_34_any else 3;
-        forward_decision_35 <= forward_decision_35_choice_2 when forward_path_35_any else 3;
-        forward_decision_36 <= forward_decision_36_choice_2 when forward_path_36_any else 3;
-        forward_decision_37 <= forward_decision_37_choice_2 when forward_path_37_any else 3;
-        forward_decision_38 <= forward_decision_38_choice_2 when forward_path_38_any else 3;
-        forward_decision_39 <= forward_decision_39_choice_2 when forward_path_39_any else 3;
-        forward_decision_40 <= forward_decision_40_choice_2 when forward_path_40_any else 3;
-        forward_decision_41 <= forward_decision_41_choice_2 when forward_path_41_any else 3;
-        forward_decision_42 <= forward_decision_42_choice_2 when forward_path_42_any else 3;
-        forward_decision_43 <= forward_decision_43_choice_2 when forward_path_43_any else 3;
-        forward_decision_44 <= forward_decision_44_choice_2 when forward_path_44_any else 3;
-        forward_decision_45 <= forward_decision_45_choice_2 when forward_path_45_any else 3;
-        forward_decision_46 <= forward_decision_46_choice_2 when forward_path_46_any else 3;
-        forward_decision_47 <= forward_decision_47_choice_2 when forward_path_47_any else 3;
-        forward_decision_48 <= forward_decision_48_choice_2 when forward_path_48_any else 3;
-        forward_decision_49 <= forward_decision_49_choice_2 when forward_path_49_any else 3;
-        forward_decision_50 <= forward_decision_50_choice_2 when forward_path_50_any else 3;
-        forward_decision_51 <= forward_decision_51_choice_2 when forward_path_51_any else 3;
-        forward_decision_52 <= forward_decision_52_choice_2 when forward_path_52_any else 3;
-        forward_decision_53 <= forward_decision_53_choice_2 when forward_path_53_any else 3;
-        forward_decision_54 <= forward_decision_54_choice_2 when forward_path_54_any else 3;
-        forward_decision_55 <= forward_decision_55_choice_2 when forward_path_55_any else 3;
-        forward_decision_56 <= forward_decision_56_choice_2 when forward_path_56_any else 3;
-        forward_decision_57 <= forward_decision_57_choice_2 when forward_path_57_any else 3;
-        forward_decision_58 <= as_number(forward_path_58_value) when forward_path_58_any else 3;
-        forward_decision_59 <= as_number(forward_path_59_value) when forward_path_59_any else 3;
-        forward_decision_60 <= as_number(forward_path_60_value) when forward_path_60_any else 3;
-        forward_decision_61 <= as_number(forward_path_61_value) when forward_path_61_any else 3;
-        forward_decision_62 <= as_number(forward_path_62_value) when forward_path_62_any else 3;
-        forward_decision_63 <= as_number(forward_path_63_value) when forward_path_63_any else 3;
+        if forward_next_first then
+          forward_occluding_0 <= 512;
+          forward_occluding_1 <= 512;
+          forward_occluding_2 <= 512;
+          forward_occluding_3 <= 512;
+          forward_occluding_4 <= 512;
+          forward_occluding_5 <= 512;
+          forward_occluding_6 <= 512;
+          forward_occluding_7 <= 512;
+          forward_occluding_8 <= 512;
+          forward_occluding_9 <= 512;
+          forward_occluding_10 <= 512;
+          forward_occluding_11 <= 512;
+          forward_occluding_12 <= 512;
+          forward_occluding_13 <= 512;
+          forward_occluding_14 <= 512;
+          forward_occluding_15 <= 512;
+          forward_occluding_16 <= 512;
+          forward_occluding_17 <= 512;
+          forward_occluding_18 <= 512;
+          forward_occluding_19 <= 512;
+          forward_occluding_20 <= 512;
+          forward_occluding_21 <= 512;
+          forward_occluding_22 <= 512;
+          forward_occluding_23 <= 512;
+          forward_occluding_24 <= 512;
+          forward_occluding_25 <= 512;
+          forward_occluding_26 <= 512;
+          forward_occluding_27 <= 512;
+          forward_occluding_28 <= 512;
+          forward_occluding_29 <= 512;
+          forward_occluding_30 <= 512;
+          forward_occluding_31 <= 512;
+          forward_occluding_32 <= 512;
+          forward_occluding_33 <= 512;
+          forward_occluding_34 <= 512;
+          forward_occluding_35 <= 512;
+          forward_occluding_36 <= 512;
+          forward_occluding_37 <= 512;
+          forward_occluding_38 <= 512;
+          forward_occluding_39 <= 512;
+          forward_occluding_40 <= 512;
+          forward_occluding_41 <= 512;
+          forward_occluding_42 <= 512;
+          forward_occluding_43 <= 512;
+          forward_occluding_44 <= 512;
+          forward_occluding_45 <= 512;
+          forward_occluding_46 <= 512;
+          forward_occluding_47 <= 512;
+          forward_occluding_48 <= 512;
+          forward_occluding_49 <= 512;
+          forward_occluding_50 <= 512;
+          forward_occluding_51 <= 512;
+          forward_occluding_52 <= 512;
+          forward_occluding_53 <= 512;
+          forward_occluding_54 <= 512;
+          forward_occluding_55 <= 512;
+          forward_occluding_56 <= 512;
+          forward_occluding_57 <= 512;
+          forward_occluding_58 <= 512;
+          forward_occluding_59 <= 512;
+          forward_occluding_60 <= 512;
+          forward_occluding_61 <= 512;
+          forward_occluding_62 <= 512;
+          forward_dropped_0 <= 512;
+          forward_dropped_1 <= 512;
+          forward_dropped_2 <= 512;
+          forward_dropped_3 <= 512;
+          forward_dropped_4 <= 512;
+          forward_dropped_5 <= 512;
+          forward_dropped_6 <= 512;
+          forward_dropped_7 <= 512;
+          forward_dropped_8 <= 512;
+          forward_dropped_9 <= 512;
+          forward_dropped_10 <= 512;
+          forward_dropped_11 <= 512;
+          forward_dropped_12 <= 512;
+          forward_dropped_13 <= 512;
+          forward_dropped_14 <= 512;
+          forward_dropped_15 <= 512;
+          forward_dropped_16 <= 512;
+          forward_dropped_17 <= 512;
+          forward_dropped_18 <= 512;
+          forward_dropped_19 <= 512;
+          forward_dropped_20 <= 512;
+          forward_dropped_21 <= 512;
+          forward_dropped_22 <= 512;
+          forward_dropped_23 <= 512;
+          forward_dropped_24 <= 512;
+          forward_dropped_25 <= 512;
+          forward_dropped_26 <= 512;
+          forward_dropped_27 <= 512;
+          forward_dropped_28 <= 512;
+          forward_dropped_29 <= 512;
+          forward_dropped_30 <= 512;
+          forward_dropped_31 <= 512;
+          forward_dropped_32 <= 512;
+          forward_dropped_33 <= 512;
+          forward_dropped_34 <= 512;
+          forward_dropped_35 <= 512;
+          forward_dropped_36 <= 512;
+          forward_dropped_37 <= 512;
+          forward_dropped_38 <= 512;
+          forward_dropped_39 <= 512;
+          forward_dropped_40 <= 512;
+          forward_dropped_41 <= 512;
+          forward_dropped_42 <= 512;
+          forward_dropped_43 <= 512;
+          forward_dropped_44 <= 512;
+          forward_dropped_45 <= 512;
+          forward_dropped_46 <= 512;
+          forward_dropped_47 <= 512;
+          forward_dropped_48 <= 512;
+          forward_dropped_49 <= 512;
+          forward_dropped_50 <= 512;
+          forward_dropped_51 <= 512;
+          forward_dropped_52 <= 512;
+          forward_dropped_53 <= 512;
+          forward_dropped_54 <= 512;
+          forward_dropped_55 <= 512;
+          forward_dropped_56 <= 512;
+          forward_dropped_57 <= 512;
+          forward_dropped_58 <= 512;
+          forward_dropped_59 <= 512;
+          forward_dropped_60 <= 512;
+          forward_dropped_61 <= 512;
+          forward_dropped_62 <= 512;
+          forward_dropped_63 <= 512;
+        else
+          forward_occluding_0 <= (forward_path_0_choice_2 + 7) mod 2048;
+          forward_occluding_1 <= (forward_path_1_choice_3 + 7) mod 2048;
+          forward_occluding_2 <= (forward_path_2_choice_3 + 7) mod 2048;
+          forward_occluding_3 <= (forward_path_3_choice_3 + 7) mod 2048;
+          forward_occluding_4 <= (forward_path_4_choice_3 + 7) mod 2048;
+          forward_occluding_5 <= (forward_path_5_choice_3 + 7) mod 2048;
+          forward_occluding_6 <= (forward_path_6_choice_3 + 7) mod 2048;
+          forward_occluding_7 <= (forward_path_7_choice_3 + 7) mod 2048;
+          forward_occluding_8 <= (forward_path_8_choice_3 + 7) mod 2048;
+          forward_occluding_9 <= (forward_path_9_choice_3 + 7) mod 2048;
+          forward_occluding_10 <= (forward_path_10_choice_3 + 7) mod 2048;
+          forward_occluding_11 <= (forward_path_11_choice_3 + 7) mod 2048;
+          forward_occluding_12 <= (forward_path_12_choice_3 + 7) mod 2048;
+          forward_occluding_13 <= (forward_path_13_choice_3 + 7) mod 2048;
+          forward_occluding_14 <= (forward_path_14_choice_3 + 7) mod 2048;
+          forward_occluding_15 <= (forward_path_15_choice_3 + 7) mod 2048;
+          forward_occluding_16 <= (forward_path_16_choice_3 + 7) mod 2048;
+          forward_occluding_17 <= (forward_path_17_choice_3 + 7) mod 2048;
+          forward_occluding_18 <= (forward_path_18_choice_3 + 7) mod 2048;
+          forward_occluding_19 <= (forward_path_19_choice_3 + 7) mod 2048;
+          forward_occluding_20 <= (forward_path_20_choice_3 + 7) mod 2048;
+          forward_occluding_21 <= (forward_path_21_choice_3 + 7) mod 2048;
+          forward_occluding_22 <= (forward_path_22_choice_3 + 7) mod 2048;
+          forward_occluding_23 <= (forward_path_23_choice_3 + 7) mod 2048;
+          forward_occluding_24 <= (forward_path_24_choice_3 + 7) mod 2048;
+          forward_occluding_25 <= (forward_path_25_choice_3 + 7) mod 2048;
+          forward_occluding_26 <= (forward_path_26_choice_3 + 7) mod 2048;
+          forward_occluding_27 <= (forward_path_27_choice_3 + 7) mod 2048;
+          forward_occluding_28 <= (forward_path_28_choice_3 + 7) mod 2048;
+          forward_occluding_29 <= (forward_path_29_choice_3 + 7) mod 2048;
+          forward_occluding_30 <= (forward_path_30_choice_3 + 7) mod 2048;
+          forward_occluding_31 <= (forward_path_31_choice_3 + 7) mod 2048;
+          forward_occluding_32 <= (forward_path_32_choice_3 + 7) mod 2048;
+          forward_occluding_33 <= (forward_path_33_choice_3 + 7) mod 2048;
+          forward_occluding_34 <= (forward_path_34_choice_3 + 7) mod 2048;
+          forward_occluding_35 <= (forward_path_35_choice_3 + 7) mod 2048;
+          forward_occluding_36 <= (forward_path_36_choice_3 + 7) mod 2048;
+          forward_occluding_37 <= (forward_path_37_choice_3 + 7) mod 2048;
+          forward_occluding_38 <= (forward_path_38_choice_3 + 7) mod 2048;
+          forward_occluding_39 <= (forward_path_39_choice_3 + 7) mod 2048;
+          forward_occluding_40 <= (forward_path_40_choice_3 + 7) mod 2048;
+          forward_occluding_41 <= (forward_path_41_choice_3 + 7) mod 2048;
+          forward_occluding_42 <= (forward_path_42_choice_3 + 7) mod 2048;
+          forward_occluding_43 <= (forward_path_43_choice_3 + 7) mod 2048;
+          forward_occluding_44 <= (forward_path_44_choice_3 + 7) mod 2048;
+          forward_occluding_45 <= (forward_path_45_choice_3 + 7) mod 2048;
+          forward_occluding_46 <= (forward_path_46_choice_3 + 7) mod 2048;
+          forward_occluding_47 <= (forward_path_47_choice_3 + 7) mod 2048;
+          forward_occluding_48 <= (forward_path_48_choice_3 + 7) mod 2048;
+          forward_occluding_49 <= (forward_path_49_choice_3 + 7) mod 2048;
+          forward_occluding_50 <= (forward_path_50_choice_3 + 7) mod 2048;
+          forward_occluding_51 <= (forward_path_51_choice_3 + 7) mod 2048;
+          forward_occluding_52 <= (forward_path_52_choice_3 + 7) mod 2048;
+          forward_occluding_53 <= (forward_path_53_choice_3 + 7) mod 2048;
+          forward_occluding_54 <= (forward_path_54_choice_3 + 7) mod 2048;
+          forward_occluding_55 <= (forward_path_55_choice_3 + 7) mod 2048;
+          forward_occluding_56 <= (forward_path_56_choice_3 + 7) mod 2048;
+          forward_occluding_57 <= (forward_path_57_choice_3 + 7) mod 2048;
+          forward_occluding_58 <= (forward_path_58_choice_3 + 7) mod 2048;
+          forward_occluding_59 <= (forward_path_59_choice_3 + 7) mod 2048;
+          forward_occluding_60 <= (forward_path_60_choice_3 + 7) mod 2048;
+          forward_occluding_61 <= (forward_path_61_choice_3 + 7) mod 2048;
+          forward_occluding_62 <= (forward_path_62_choice_3 + 7) mod 2048;
+          forward_dropped_0 <= (forward_pair_cost_0 + forward_dropped_0_choice) mod 2048;
+          forward_dropped_1 <= (forward_pair_cost_1 + forward_dropped_1_choice) mod 2048;
+          forward_dropped_2 <= (forward_pair_cost_2 + forward_dropped_2_choice) mod 2048;
+          forward_dropped_3 <= (forward_pair_cost_3 + forward_dropped_3_choice) mod 2048;
+          forward_dropped_4 <= (forward_pair_cost_4 + forward_dropped_4_choice) mod 2048;
+          forward_dropped_5 <= (forward_pair_cost_5 + forward_dropped_5_choice) mod 2048;
+          forward_dropped_6 <= (forward_pair_cost_6 + forward_dropped_6_choice) mod 2048;
+          forward_dropped_7 <= (forward_pair_cost_7 + forward_dropped_7_choice) mod 2048;
+          forward_dropped_8 <= (forward_pair_cost_8 + forward_dropped_8_choice) mod 2048;
+          forward_dropped_9 <= (forward_pair_cost_9 + forward_dropped_9_choice) mod 2048;
+          forward_dropped_10 <= (forward_pair_cost_10 + forward_dropped_10_choice) mod 2048;
+          forward_dropped_11 <= (forward_pair_cost_11 + forward_dropped_11_choice) mod 2048;
+          forward_dropped_12 <= (forward_pair_cost_12 + forward_dropped_12_choice) mod 2048;
+          forward_dropped_13 <= (forward_pair_cost_13 + forward_dropped_13_choice) mod 2048;
+          forward_dropped_14 <= (forward_pair_cost_14 + forward_dropped_14_choice) mod 2048;
+          forward_dropped_15 <= (forward_pair_cost_15 + forward_dropped_15_choice) mod 2048;
+          forward_dropped_16 <= (forward_pair_cost_16 + forward_dropped_16_choice) mod 2048;
+          forward_dropped_17 <= (forward_pair_cost_17 + forward_dropped_17_choice) mod 2048;
+          forward_dropped_18 <= (forward_pair_cost_18 + forward_dropped_18_choice) mod 2048;
+          forward_dropped_19 <= (forward_pair_cost_19 + forward_dropped_19_choice) mod 2048;
+          forward_dropped_20 <= (forward_pair_cost_20 + forward_dropped_20_choice) mod 2048;
+          forward_dropped_21 <= (forward_pair_cost_21 + forward_dropped_21_choice) mod 2048;
+          forward_dropped_22 <= (forward_pair_cost_22 + forward_dropped_22_choice) mod 2048;
+          forward_dropped_23 <= (forward_pair_cost_23 + forward_dropped_23_choice) mod 2048;
+          forward_dropped_24 <= (forward_pair_cost_24 + forward_dropped_24_choice) mod 2048;
+          forward_dropped_25 <= (forward_pair_cost_25 + forward_dropped_25_choice) mod 2048;
+          forward_dropped_26 <= (forward_pair_cost_26 + forward_dropped_26_choice) mod 2048;
+          forward_dropped_27 <= (forward_pair_cost_27 + forward_dropped_27_choice) mod 2048;
+          forward_dropped_28 <= (forward_pair_cost_28 + forward_dropped_28_choice) mod 2048;
+          forward_dropped_29 <= (forward_pair_cost_29 + forward_dropped_29_choice) mod 2048;
+          forward_dropped_30 <= (forward_pair_cost_30 + forward_dropped_30_choice) mod 2048;
+          forward_dropped_31 <= (forward_pair_cost_31 + forward_dropped_31_choice) mod 2048;
+          forward_dropped_32 <= (forward_pair_cost_32 + forward_dropped_32_choice) mod 2048;
+          forward_dropped_33 <= (forward_pair_cost_33 + forward_dropped_33_choice) mod 2048;
+          forward_dropped_34 <= (forward_pair_cost_34 + forward_dropped_34_choice) mod 2048;
+          forward_dropped_35 <= (forward_pair_cost_35 + forward_dropped_35_choice) mod 2048;
+          forward_dropped_36 <= (forward_pair_cost_36 + forward_dropped_36_choice) mod 2048;
+          forward_dropped_37 <= (forward_pair_cost_37 + forward_dropped_37_choice) mod 2048;
+          forward_dropped_38 <= (forward_pair_cost_38 + forward_dropped_38_choice) mod 2048;
+          forward_dropped_39 <= (forward_pair_cost_39 + forward_dropped_39_choice) mod 2048;
+          forward_dropped_40 <= (forward_pair_cost_40 + forward_dropped_40_choice) mod 2048;
+          forward_dropped_41 <= (forward_pair_cost_41 + forward_dropped_41_choice) mod 2048;
+          forward_dropped_42 <= (forward_pair_cost_42 + forward_dropped_42_choice) mod 2048;
+          forward_dropped_43 <= (forward_pair_cost_43 + forward_dropped_43_choice) mod 2048;
+          forward_dropped_44 <= (forward_pair_cost_44 + forward_dropped_44_choice) mod 2048;
+          forward_dropped_45 <= (forward_pair_cost_45 + forward_dropped_45_choice) mod 2048;
+          forward_dropped_46 <= (forward_pair_cost_46 + forward_dropped_46_choice) mod 2048;
+          forward_dropped_47 <= (forward_pair_cost_47 + forward_dropped_47_choice) mod 2048;
+          forward_dropped_48 <= (forward_pair_cost_48 + forward_dropped_48_choice) mod 2048;
+          forward_dropped_49 <= (forward_pair_cost_49 + forward_dropped_49_choice) mod 2048;
+          forward_dropped_50 <= (forward_pair_cost_50 + forward_dropped_50_choice) mod 2048;
+          forward_dropped_51 <= (forward_pair_cost_51 + forward_dropped_51_choice) mod 2048;
+          forward_dropped_52 <= (forward_pair_cost_52 + forward_dropped_52_choice) mod 2048;
+          forward_dropped_53 <= (forward_pair_cost_53 + forward_dropped_53_choice) mod 2048;
+          forward_dropped_54 <= (forward_pair_cost_54 + forward_dropped_54_choice) mod 2048;
+          forward_dropped_55 <= (forward_pair_cost_55 + forward_dropped_55_choice) mod 2048;
+          forward_dropped_56 <= (forward_pair_cost_56 + forward_dropped_56_choice) mod 2048;
+          forward_dropped_57 <= (forward_pair_cost_57 + forward_dropped_57_choice) mod 2048;
+          forward_dropped_58 <= (forward_pair_cost_58 + forward_path_59) mod 2048;
+          forward_dropped_59 <= (forward_pair_cost_59 + forward_path_60) mod 2048;
+          forward_dropped_60 <= (forward_pair_cost_60 + forward_path_61) mod 2048;
+          forward_dropped_61 <= (forward_pair_cost_61 + forward_path_62) mod 2048;
+          forward_dropped_62 <= (forward_pair_cost_62 + forward_path_63) mod 2048;
+          forward_dropped_63 <= (forward_pair_cost_63 + forward_path_63) mod 2048;
+        end if;
+        if forward_path_0_value then
+          forward_decision_0 <= forward_decision_0_choice;
+        else
+          forward_decision_0 <= 0;
+        end if;
+        if forward_path_1_any then
+          forward_decision_1 <= forward_decision_1_choice_2;
+        else
+          forward_decision_1 <= 3;
+        end if;
+        if forward_path_2_any then
+          forward_decision_2 <= forward_decision_2_choice_2;
+        else
+          forward_decision_2 <= 3;
+        end if;
+        if forward_path_3_any then
+          forward_decision_3 <= forward_decision_3_choice_2;
+        else
+          forward_decision_3 <= 3;
+        end if;
+        if forward_path_4_any then
+          forward_decision_4 <= forward_decision_4_choice_2;
+        else
+          forward_decision_4 <= 3;
+        end if;
+        if forward_path_5_any then
+          forward_decision_5 <= forward_decision_5_choice_2;
+        else
+          forward_decision_5 <= 3;
+        end if;
+        if forward_path_6_any then
+          forward_decision_6 <= forward_decision_6_choice_2;
+        else
+          forward_decision_6 <= 3;
+        end if;
+        if forward_path_7_any then
+          forward_decision_7 <= forward_decision_7_choice_2;
+        else
+          forward_decision_7 <= 3;
+        end if;
+        if forward_path_8_any then
+          forward_decision_8 <= forward_decision_8_choice_2;
+        else
+          forward_decision_8 <= 3;
+        end if;
+        if forward_path_9_any then
+          forward_decision_9 <= forward_decision_9_choice_2;
+        else
+          forward_decision_9 <= 3;
+        end if;
+        if forward_path_10_any then
+          forward_decision_10 <= forward_decision_10_choice_2;
+        else
+          forward_decision_10 <= 3;
+        end if;
+        if forward_path_11_any then
+          forward_decision_11 <= forward_decision_11_choice_2;
+        else
+          forward_decision_11 <= 3;
+        end if;
+        if forward_path_12_any then
+          forward_decision_12 <= forward_decision_12_choice_2;
+        else
+          forward_decision_12 <= 3;
+        end if;
+        if forward_path_13_any then
+          forward_decision_13 <= forward_decision_13_choice_2;
+        else
+          forward_decision_13 <= 3;
+        end if;
+        if forward_path_14_any then
+          forward_decision_14 <= forward_decision_14_choice_2;
+        else
+          forward_decision_14 <= 3;
+        end if;
+        if forward_path_15_any then
+          forward_decision_15 <= forward_decision_15_choice_2;
+        else
+          forward_decision_15 <= 3;
+        end if;
+        if forward_path_16_any then
+          forward_decision_16 <= forward_decision_16_choice_2;
+        else
+          forward_decision_16 <= 3;
+        end if;
+        if forward_path_17_any then
+          forward_decision_17 <= forward_decision_17_choice_2;
+        else
+          forward_decision_17 <= 3;
+        end if;
+        if forward_path_18_any then
+          forward_decision_18 <= forward_decision_18_choice_2;
+        else
+          forward_decision_18 <= 3;
+        end if;
+        if forward_path_19_any then
+          forward_decision_19 <= forward_decision_19_choice_2;
+        else
+          forward_decision_19 <= 3;
+        end if;
+        if forward_path_20_any then
+          forward_decision_20 <= forward_decision_20_choice_2;
+        else
+          forward_decision_20 <= 3;
+        end if;
+        if forward_path_21_any then
+          forward_decision_21 <= forward_decision_21_choice_2;
+        else
+          forward_decision_21 <= 3;
+        end if;
+        if forward_path_22_any then
+          forward_decision_22 <= forward_decision_22_choice_2;
+        else
+          forward_decision_22 <= 3;
+        end if;
+        if forward_path_23_any then
+          forward_decision_23 <= forward_decision_23_choice_2;
+        else
+          forward_decision_23 <= 3;
+        end if;
+        if forward_path_24_any then
+          forward_decision_24 <= forward_decision_24_choice_2;
+        else
+          forward_decision_24 <= 3;
+        end if;
+        if forward_path_25_any then
+          forward_decision_25 <= forward_decision_25_choice_2;
+        else
+          forward_decision_25 <= 3;
+        end if;
+        if forward_path_26_any then
+          forward_decision_26 <= forward_decision_26_choice_2;
+        else
+          forward_decision_26 <= 3;
+        end if;
+        if forward_path_27_any then
+          forward_decision_27 <= forward_decision_27_choice_2;
+        else
+          forward_decision_27 <= 3;
+        end if;
+        if forward_path_28_any then
+          forward_decision_28 <= forward_decision_28_choice_2;
+        else
+          forward_decision_28 <= 3;
+        end if;
+        if forward_path_29_any then
+          forward_decision_29 <= forward_decision_29_choice_2;
+        else
+          forward_decision_29 <= 3;
+        end if;
+        if forward_path_30_any then
+          forward_decision_30 <= forward_decision_30_choice_2;
+        else
+          forward_decision_30 <= 3;
+        end if;
+        if forward_path_31_any then
+          forward_decision_31 <= forward_decision_31_choice_2;
+        else
+          forward_decision_31 <= 3;
+        end if;
+        if forward_path_32_any then
+          forward_decision_32 <= forward_decision_32_choice_2;
+        else
+          forward_decision_32 <= 3;
+        end if;
+        if forward_path_33_any then
+          forward_decision_33 <= forward_decision_33_choice_2;
+        else
+          forward_decision_33 <= 3;
+        end if;
+        if forward_path_34_any then
+          forward_decision_34 <= forward_decision_34_choice_2;
+        else
+          forward_decision_34 <= 3;
+        end if;
+        if forward_path_35_any then
+          forward_decision_35 <= forward_decision_35_choice_2;
+        else
+          forward_decision_35 <= 3;
+        end if;
+        if forward_path_36_any then
+          forward_decision_36 <= forward_decision_36_choice_2;
+        else
+          forward_decision_36 <= 3;
+        end if;
+        if forward_path_37_any then
+          forward_decision_37 <= forward_decision_37_choice_2;
+        else
+          forward_decision_37 <= 3;
+        end if;
+        if forward_path_38_any then
+          forward_decision_38 <= forward_decision_38_choice_2;
+        else
+          forward_decision_38 <= 3;
+        end if;
+        if forward_path_39_any then
+          forward_decision_39 <= forward_decision_39_choice_2;
+        else
+          forward_decision_39 <= 3;
+        end if;
+        if forward_path_40_any then
+          forward_decision_40 <= forward_decision_40_choice_2;
+        else
+          forward_decision_40 <= 3;
+        end if;
+        if forward_path_41_any then
+          forward_decision_41 <= forward_decision_41_choice_2;
+        else
+          forward_decision_41 <= 3;
+        end if;
+        if forward_path_42_any then
+          forward_decision_42 <= forward_decision_42_choice_2;
+        else
+          forward_decision_42 <= 3;
+        end if;
+        if forward_path_43_any then
+          forward_decision_43 <= forward_decision_43_choice_2;
+        else
+          forward_decision_43 <= 3;
+        end if;
+        if forward_path_44_any then
+          forward_decision_44 <= forward_decision_44_choice_2;
+        else
+          forward_decision_44 <= 3;
+        end if;
+        if forward_path_45_any then
+          forward_decision_45 <= forward_decision_45_choice_2;
+        else
+          forward_decision_45 <= 3;
+        end if;
+        if forward_path_46_any then
+          forward_decision_46 <= forward_decision_46_choice_2;
+        else
+          forward_decision_46 <= 3;
+        end if;
+        if forward_path_47_any then
+          forward_decision_47 <= forward_decision_47_choice_2;
+        else
+          forward_decision_47 <= 3;
+        end if;
+        if forward_path_48_any then
+          forward_decision_48 <= forward_decision_48_choice_2;
+        else
+          forward_decision_48 <= 3;
+        end if;
+        if forward_path_49_any then
+          forward_decision_49 <= forward_decision_49_choice_2;
+        else
+          forward_decision_49 <= 3;
+        end if;
+        if forward_path_50_any then
+          forward_decision_50 <= forward_decision_50_choice_2;
+        else
+          forward_decision_50 <= 3;
+        end if;
+        if forward_path_51_any then
+          forward_decision_51 <= forward_decision_51_choice_2;
+        else
+          forward_decision_51 <= 3;
+        end if;
+        if forward_path_52_any then
+          forward_decision_52 <= forward_decision_52_choice_2;
+        else
+          forward_decision_52 <= 3;
+        end if;
+        if forward_path_53_any then
+          forward_decision_53 <= forward_decision_53_choice_2;
+        else
+          forward_decision_53 <= 3;
+        end if;
+        if forward_path_54_any then
+          forward_decision_54 <= forward_decision_54_choice_2;
+        else
+          forward_decision_54 <= 3;
+        end if;
+        if forward_path_55_any then
+          forward_decision_55 <= forward_decision_55_choice_2;
+        else
+          forward_decision_55 <= 3;
+        end if;
+        if forward_path_56_any then
+          forward_decision_56 <= forward_decision_56_choice_2;
+        else
+          forward_decision_56 <= 3;
+        end if;
+        if forward_path_57_any then
+          forward_decision_57 <= forward_decision_57_choice_2;
+        else
+          forward_decision_57 <= 3;
+        end if;
+        if forward_path_58_any then
+          forward_decision_58 <= as_number(forward_path_58_value);
+        else
+          forward_decision_58 <= 3;
+        end if;
+        if forward_path_59_any then
+          forward_decision_59 <= as_number(forward_path_59_value);
+        else
+          forward_decision_59 <= 3;
+        end if;
+        if forward_path_60_any then
+          forward_decision_60 <= as_number(forward_path_60_value);
+        else
+          forward_decision_60 <= 3;
+        end if;
+        if forward_path_61_any then
+          forward_decision_61 <= as_number(forward_path_61_value);
+        else
+          forward_decision_61 <= 3;
+        end if;
+        if forward_path_62_any then
+          forward_decision_62 <= as_number(forward_path_62_value);
+        else
+          forward_decision_62 <= 3;
+        end if;
+        if forward_path_63_any then
+          forward_decision_63 <= as_number(forward_path_63_value);
+        else
+          forward_decision_63 <= 3;
+        end if;
       end if;
       forward_far_1_any := (not entry_tag_valid) or (not forward_next_first);
-      forward_far_1_choice := forward_far_1_any when forward_dropped_1_value else not entry_tag_valid;
-      forward_far_2_choice := forward_far_1_any when forward_dropped_2_value else not entry_tag_valid;
-      forward_far_3_choice := forward_far_1_any when forward_dropped_3_value else not entry_tag_valid;
-      forward_far_4_choice := forward_far_1_any when forward_dropped_4_value else not entry_tag_valid;
-      forward_far_5_choice := forward_far_1_any when forward_dropped_5_value else not entry_tag_valid;
-      forward_far_6_choice := forward_far_1_any when forward_dropped_6_value else not entry_tag_valid;
-      forward_far_7_choice := forward_far_1_any when forward_dropped_7_value else not entry_tag_valid;
-      forward_far_8_choice := forward_far_1_any when forward_dropped_8_value else not entry_tag_valid;
-      forward_far_9_choice := forward_far_1_any when forward_dropped_9_value else not entry_tag_valid;
-      forward_far_10_choice := forward_far_1_any when forward_dropped_10_value else not entry_tag_valid;
-      forward_far_11_choice := forward_far_1_any when forward_dropped_11_value else not entry_tag_valid;
-      forward_far_12_choice := forward_far_1_any when forward_dropped_12_value else not entry_tag_valid;
-      forward_far_13_choice := forward_far_1_any when forward_dropped_13_value else not entry_tag_valid;
-      forward_far_14_choice := forward_far_1_any when forward_dropped_14_value else not entry_tag_valid;
-      forward_far_15_choice := forward_far_1_any when forward_dropped_15_value else not entry_tag_valid;
-      forward_far_17_choice := forward_far_1_any when forward_dropped_17_value else not entry_tag_valid;
-      forward_far_18_choice := forward_far_1_any when forward_dropped_18_value else not entry_tag_valid;
-      forward_far_19_choice := forward_far_1_any when forward_dropped_19_value else not entry_tag_valid;
-      forward_far_20_choice := forward_far_1_any when forward_dropped_20_value else not entry_tag_valid;
-      forward_far_21_choice := forward_far_1_any when forward_dropped_21_value else not entry_tag_valid;
-      forward_far_22_choice := forward_far_1_any when forward_dropped_22_value else not entry_tag_valid;
-      forward_far_23_choice := forward_far_1_any when forward_dropped_23_value else not entry_tag_valid;
-      forward_far_24_choice := forward_far_1_any when forward_dropped_24_value else not entry_tag_valid;
-      forward_far_25_choice := forward_far_1_any when forward_dropped_25_value else not entry_tag_valid;
-      forward_far_26_choice := forward_far_1_any when forward_dropped_26_value else not entry_tag_valid;
-      forward_far_27_choice := forward_far_1_any when forward_dropped_27_value else not entry_tag_valid;
-      forward_far_28_choice := forward_far_1_any when forward_dropped_28_value else not entry_tag_valid;
-      forward_far_29_choice := forward_far_1_any when forward_dropped_29_value else not entry_tag_valid;
-      forward_far_30_choice := forward_far_1_any when forward_dropped_30_value else not entry_tag_valid;
-      forward_far_31_choice := forward_far_1_any when forward_dropped_31_value else not entry_tag_valid;
-      forward_far_33_choice := forward_far_1_any when forward_dropped_33_value else not entry_tag_valid;
-      forward_far_34_choice := forward_far_1_any when forward_dropped_34_value else not entry_tag_valid;
-      forward_far_35_choice := forward_far_1_any when forward_dropped_35_value else not entry_tag_valid;
-      forward_far_36_choice := forward_far_1_any when forward_dropped_36_value else not entry_tag_valid;
-      forward_far_37_choice := forward_far_1_any when forward_dropped_37_value else not entry_tag_valid;
-      forward_far_38_choice := forward_far_1_any when forward_dropped_38_value else not entry_tag_valid;
-      forward_far_39_choice := forward_far_1_any when forward_dropped_39_value else not entry_tag_valid;
-      forward_far_40_choice := forward_far_1_any when forward_dropped_40_value else not entry_tag_valid;
-      forward_far_41_choice := forward_far_1_any when forward_dropped_41_value else not entry_tag_valid;
-      forward_far_42_choice := forward_far_1_any when forward_dropped_42_value else not entry_tag_valid;
-      forward_far_43_choice := forward_far_1_any when forward_dropped_43_value else not entry_tag_valid;
-      forward_far_44_choice := forward_far_1_any when forward_dropped_44_value else not entry_tag_valid;
-      forward_far_45_choice := forward_far_1_any when forward_dropped_45_value else not entry_tag_valid;
-      forward_far_46_choice := forward_far_1_any when forward_dropped_46_value else not entry_tag_valid;
-      forward_far_47_choice := forward_far_1_any when forward_dropped_47_value else not entry_tag_valid;
-      forward_far_49_choice := forward_far_1_any when forward_dropped_49_value else not entry_tag_valid;
-      forward_far_50_choice := forward_far_1_any when forward_dropped_50_value else not entry_tag_valid;
-      forward_far_51_choice := forward_far_1_any when forward_dropped_51_value else not entry_tag_valid;
-      forward_far_52_choice := forward_far_1_any when forward_dropped_52_value else not entry_tag_valid;
-      forward_far_53_choice := forward_far_1_any when forward_dropped_53_value else not entry_tag_valid;
-      forward_far_54_choice := forward_far_1_any when forward_dropped_54_value else not entry_tag_valid;
-      forward_far_55_choice := forward_far_1_any when forward_dropped_55_value else not entry_tag_valid;
-      forward_far_56_choice := forward_far_1_any when forward_dropped_56_value else not entry_tag_valid;
-      forward_far_57_choice := forward_far_1_any when forward_dropped_57_value else not entry_tag_valid;
-      forward_far_1 <= forward_far_1_choice when forward_far_1 else forward_dropped_1_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_2 <= forward_far_2_choice when forward_far_2 else forward_dropped_2_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_3 <= forward_far_3_choice when forward_far_3 else forward_dropped_3_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_4 <= forward_far_4_choice when forward_far_4 else forward_dropped_4_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_5 <= forward_far_5_choice when forward_far_5 else forward_dropped_5_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_6 <= forward_far_6_choice when forward_far_6 else forward_dropped_6_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_7 <= forward_far_7_choice when forward_far_7 else forward_dropped_7_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_8 <= forward_far_8_choice when forward_far_8 else forward_dropped_8_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_9 <= forward_far_9_choice when forward_far_9 else forward_dropped_9_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_10 <= forward_far_10_choice when forward_far_10 else forward_dropped_10_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_11 <= forward_far_11_choice when forward_far_11 else forward_dropped_11_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_12 <= forward_far_12_choice when forward_far_12 else forward_dropped_12_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_13 <= forward_far_13_choice when forward_far_13 else forward_dropped_13_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_14 <= forward_far_14_choice when forward_far_14 else forward_dropped_14_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_15 <= forward_far_15_choice when forward_far_15 else forward_dropped_15_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_17 <= forward_far_17_choice when forward_far_17 else forward_dropped_17_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_18 <= forward_far_18_choice when forward_far_18 else forward_dropped_18_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_19 <= forward_far_19_choice when forward_far_19 else forward_dropped_19_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_20 <= forward_far_20_choice when forward_far_20 else forward_dropped_20_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_21 <= forward_far_21_choice when forward_far_21 else forward_dropped_21_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_22 <= forward_far_22_choice when forward_far_22 else forward_dropped_22_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_23 <= forward_far_23_choice when forward_far_23 else forward_dropped_23_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_24 <= forward_far_24_choice when forward_far_24 else forward_dropped_24_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_25 <= forward_far_25_choice when forward_far_25 else forward_dropped_25_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_26 <= forward_far_26_choice when forward_far_26 else forward_dropped_26_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_27 <= forward_far_27_choice when forward_far_27 else forward_dropped_27_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_28 <= forward_far_28_choice when forward_far_28 else forward_dropped_28_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_29 <= forward_far_29_choice when forward_far_29 else forward_dropped_29_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_30 <= forward_far_30_choice when forward_far_30 else forward_dropped_30_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_31 <= forward_far_31_choice when forward_far_31 else forward_dropped_31_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_33 <= forward_far_33_choice when forward_far_33 else forward_dropped_33_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_34 <= forward_far_34_choice when forward_far_34 else forward_dropped_34_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_35 <= forward_far_35_choice when forward_far_35 else forward_dropped_35_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_36 <= forward_far_36_choice when forward_far_36 else forward_dropped_36_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_37 <= forward_far_37_choice when forward_far_37 else forward_dropped_37_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_38 <= forward_far_38_choice when forward_far_38 else forward_dropped_38_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_39 <= forward_far_39_choice when forward_far_39 else forward_dropped_39_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_40 <= forward_far_40_choice when forward_far_40 else forward_dropped_40_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_41 <= forward_far_41_choice when forward_far_41 else forward_dropped_41_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_42 <= forward_far_42_choice when forward_far_42 else forward_dropped_42_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_43 <= forward_far_43_choice when forward_far_43 else forward_dropped_43_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_44 <= forward_far_44_choice when forward_far_44 else forward_dropped_44_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_45 <= forward_far_45_choice when forward_far_45 else forward_dropped_45_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_46 <= forward_far_46_choice when forward_far_46 else forward_dropped_46_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_47 <= forward_far_47_choice when forward_far_47 else forward_dropped_47_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_49 <= forward_far_49_choice when forward_far_49 else forward_dropped_49_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_50 <= forward_far_50_choice when forward_far_50 else forward_dropped_50_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_51 <= forward_far_51_choice when forward_far_51 else forward_dropped_51_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_52 <= forward_far_52_choice when forward_far_52 else forward_dropped_52_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_53 <= forward_far_53_choice when forward_far_53 else forward_dropped_53_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_54 <= forward_far_54_choice when forward_far_54 else forward_dropped_54_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_55 <= forward_far_55_choice when forward_far_55 else forward_dropped_55_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_56 <= forward_far_56_choice when forward_far_56 else forward_dropped_56_value and entry_tag_valid and
-        (not forward_next_first);
-      forward_far_57 <= forward_far_57_choice when forward_far_57 else forward_dropped_57_value and entry_tag_valid and
-        (not forward_next_first);
+      if forward_dropped_1_value then
+        forward_far_1_choice := forward_far_1_any;
+      else
+        forward_far_1_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_2_value then
+        forward_far_2_choice := forward_far_1_any;
+      else
+        forward_far_2_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_3_value then
+        forward_far_3_choice := forward_far_1_any;
+      else
+        forward_far_3_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_4_value then
+        forward_far_4_choice := forward_far_1_any;
+      else
+        forward_far_4_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_5_value then
+        forward_far_5_choice := forward_far_1_any;
+      else
+        forward_far_5_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_6_value then
+        forward_far_6_choice := forward_far_1_any;
+      else
+        forward_far_6_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_7_value then
+        forward_far_7_choice := forward_far_1_any;
+      else
+        forward_far_7_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_8_value then
+        forward_far_8_choice := forward_far_1_any;
+      else
+        forward_far_8_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_9_value then
+        forward_far_9_choice := forward_far_1_any;
+      else
+        forward_far_9_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_10_value then
+        forward_far_10_choice := forward_far_1_any;
+      else
+        forward_far_10_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_11_value then
+        forward_far_11_choice := forward_far_1_any;
+      else
+        forward_far_11_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_12_value then
+        forward_far_12_choice := forward_far_1_any;
+      else
+        forward_far_12_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_13_value then
+        forward_far_13_choice := forward_far_1_any;
+      else
+        forward_far_13_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_14_value then
+        forward_far_14_choice := forward_far_1_any;
+      else
+        forward_far_14_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_15_value then
+        forward_far_15_choice := forward_far_1_any;
+      else
+        forward_far_15_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_17_value then
+        forward_far_17_choice := forward_far_1_any;
+      else
+        forward_far_17_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_18_value then
+        forward_far_18_choice := forward_far_1_any;
+      else
+        forward_far_18_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_19_value then
+        forward_far_19_choice := forward_far_1_any;
+      else
+        forward_far_19_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_20_value then
+        forward_far_20_choice := forward_far_1_any;
+      else
+        forward_far_20_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_21_value then
+        forward_far_21_choice := forward_far_1_any;
+      else
+        forward_far_21_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_22_value then
+        forward_far_22_choice := forward_far_1_any;
+      else
+        forward_far_22_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_23_value then
+        forward_far_23_choice := forward_far_1_any;
+      else
+        forward_far_23_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_24_value then
+        forward_far_24_choice := forward_far_1_any;
+      else
+        forward_far_24_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_25_value then
+        forward_far_25_choice := forward_far_1_any;
+      else
+        forward_far_25_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_26_value then
+        forward_far_26_choice := forward_far_1_any;
+      else
+        forward_far_26_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_27_value then
+        forward_far_27_choice := forward_far_1_any;
+      else
+        forward_far_27_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_28_value then
+        forward_far_28_choice := forward_far_1_any;
+      else
+        forward_far_28_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_29_value then
+        forward_far_29_choice := forward_far_1_any;
+      else
+        forward_far_29_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_30_value then
+        forward_far_30_choice := forward_far_1_any;
+      else
+        forward_far_30_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_31_value then
+        forward_far_31_choice := forward_far_1_any;
+      else
+        forward_far_31_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_33_value then
+        forward_far_33_choice := forward_far_1_any;
+      else
+        forward_far_33_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_34_value then
+        forward_far_34_choice := forward_far_1_any;
+      else
+        forward_far_34_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_35_value then
+        forward_far_35_choice := forward_far_1_any;
+      else
+        forward_far_35_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_36_value then
+        forward_far_36_choice := forward_far_1_any;
+      else
+        forward_far_36_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_37_value then
+        forward_far_37_choice := forward_far_1_any;
+      else
+        forward_far_37_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_38_value then
+        forward_far_38_choice := forward_far_1_any;
+      else
+        forward_far_38_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_39_value then
+        forward_far_39_choice := forward_far_1_any;
+      else
+        forward_far_39_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_40_value then
+        forward_far_40_choice := forward_far_1_any;
+      else
+        forward_far_40_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_41_value then
+        forward_far_41_choice := forward_far_1_any;
+      else
+        forward_far_41_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_42_value then
+        forward_far_42_choice := forward_far_1_any;
+      else
+        forward_far_42_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_43_value then
+        forward_far_43_choice := forward_far_1_any;
+      else
+        forward_far_43_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_44_value then
+        forward_far_44_choice := forward_far_1_any;
+      else
+        forward_far_44_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_45_value then
+        forward_far_45_choice := forward_far_1_any;
+      else
+        forward_far_45_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_46_value then
+        forward_far_46_choice := forward_far_1_any;
+      else
+        forward_far_46_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_47_value then
+        forward_far_47_choice := forward_far_1_any;
+      else
+        forward_far_47_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_49_value then
+        forward_far_49_choice := forward_far_1_any;
+      else
+        forward_far_49_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_50_value then
+        forward_far_50_choice := forward_far_1_any;
+      else
+        forward_far_50_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_51_value then
+        forward_far_51_choice := forward_far_1_any;
+      else
+        forward_far_51_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_52_value then
+        forward_far_52_choice := forward_far_1_any;
+      else
+        forward_far_52_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_53_value then
+        forward_far_53_choice := forward_far_1_any;
+      else
+        forward_far_53_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_54_value then
+        forward_far_54_choice := forward_far_1_any;
+      else
+        forward_far_54_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_55_value then
+        forward_far_55_choice := forward_far_1_any;
+      else
+        forward_far_55_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_56_value then
+        forward_far_56_choice := forward_far_1_any;
+      else
+        forward_far_56_choice := not entry_tag_valid;
+      end if;
+      if forward_dropped_57_value then
+        forward_far_57_choice := forward_far_1_any;
+      else
+        forward_far_57_choice := not entry_tag_valid;
+      end if;
+      if forward_far_1 then
+        forward_far_1 <= forward_far_1_choice;
+      else
+        forward_far_1 <= forward_dropped_1_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_2 then
+        forward_far_2 <= forward_far_2_choice;
+      else
+        forward_far_2 <= forward_dropped_2_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_3 then
+        forward_far_3 <= forward_far_3_choice;
+      else
+        forward_far_3 <= forward_dropped_3_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_4 then
+        forward_far_4 <= forward_far_4_choice;
+      else
+        forward_far_4 <= forward_dropped_4_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_5 then
+        forward_far_5 <= forward_far_5_choice;
+      else
+        forward_far_5 <= forward_dropped_5_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_6 then
+        forward_far_6 <= forward_far_6_choice;
+      else
+        forward_far_6 <= forward_dropped_6_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_7 then
+        forward_far_7 <= forward_far_7_choice;
+      else
+        forward_far_7 <= forward_dropped_7_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_8 then
+        forward_far_8 <= forward_far_8_choice;
+      else
+        forward_far_8 <= forward_dropped_8_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_9 then
+        forward_far_9 <= forward_far_9_choice;
+      else
+        forward_far_9 <= forward_dropped_9_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_10 then
+        forward_far_10 <= forward_far_10_choice;
+      else
+        forward_far_10 <= forward_dropped_10_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_11 then
+        forward_far_11 <= forward_far_11_choice;
+      else
+        forward_far_11 <= forward_dropped_11_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_12 then
+        forward_far_12 <= forward_far_12_choice;
+      else
+        forward_far_12 <= forward_dropped_12_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_13 then
+        forward_far_13 <= forward_far_13_choice;
+      else
+        forward_far_13 <= forward_dropped_13_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_14 then
+        forward_far_14 <= forward_far_14_choice;
+      else
+        forward_far_14 <= forward_dropped_14_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_15 then
+        forward_far_15 <= forward_far_15_choice;
+      else
+        forward_far_15 <= forward_dropped_15_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_17 then
+        forward_far_17 <= forward_far_17_choice;
+      else
+        forward_far_17 <= forward_dropped_17_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_18 then
+        forward_far_18 <= forward_far_18_choice;
+      else
+        forward_far_18 <= forward_dropped_18_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_19 then
+        forward_far_19 <= forward_far_19_choice;
+      else
+        forward_far_19 <= forward_dropped_19_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_20 then
+        forward_far_20 <= forward_far_20_choice;
+      else
+        forward_far_20 <= forward_dropped_20_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_21 then
+        forward_far_21 <= forward_far_21_choice;
+      else
+        forward_far_21 <= forward_dropped_21_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_22 then
+        forward_far_22 <= forward_far_22_choice;
+      else
+        forward_far_22 <= forward_dropped_22_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_23 then
+        forward_far_23 <= forward_far_23_choice;
+      else
+        forward_far_23 <= forward_dropped_23_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_24 then
+        forward_far_24 <= forward_far_24_choice;
+      else
+        forward_far_24 <= forward_dropped_24_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_25 then
+        forward_far_25 <= forward_far_25_choice;
+      else
+        forward_far_25 <= forward_dropped_25_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_26 then
+        forward_far_26 <= forward_far_26_choice;
+      else
+        forward_far_26 <= forward_dropped_26_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_27 then
+        forward_far_27 <= forward_far_27_choice;
+      else
+        forward_far_27 <= forward_dropped_27_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_28 then
+        forward_far_28 <= forward_far_28_choice;
+      else
+        forward_far_28 <= forward_dropped_28_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_29 then
+        forward_far_29 <= forward_far_29_choice;
+      else
+        forward_far_29 <= forward_dropped_29_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_30 then
+        forward_far_30 <= forward_far_30_choice;
+      else
+        forward_far_30 <= forward_dropped_30_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_31 then
+        forward_far_31 <= forward_far_31_choice;
+      else
+        forward_far_31 <= forward_dropped_31_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_33 then
+        forward_far_33 <= forward_far_33_choice;
+      else
+        forward_far_33 <= forward_dropped_33_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_34 then
+        forward_far_34 <= forward_far_34_choice;
+      else
+        forward_far_34 <= forward_dropped_34_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_35 then
+        forward_far_35 <= forward_far_35_choice;
+      else
+        forward_far_35 <= forward_dropped_35_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_36 then
+        forward_far_36 <= forward_far_36_choice;
+      else
+        forward_far_36 <= forward_dropped_36_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_37 then
+        forward_far_37 <= forward_far_37_choice;
+      else
+        forward_far_37 <= forward_dropped_37_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_38 then
+        forward_far_38 <= forward_far_38_choice;
+      else
+        forward_far_38 <= forward_dropped_38_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_39 then
+        forward_far_39 <= forward_far_39_choice;
+      else
+        forward_far_39 <= forward_dropped_39_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_40 then
+        forward_far_40 <= forward_far_40_choice;
+      else
+        forward_far_40 <= forward_dropped_40_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_41 then
+        forward_far_41 <= forward_far_41_choice;
+      else
+        forward_far_41 <= forward_dropped_41_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_42 then
+        forward_far_42 <= forward_far_42_choice;
+      else
+        forward_far_42 <= forward_dropped_42_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_43 then
+        forward_far_43 <= forward_far_43_choice;
+      else
+        forward_far_43 <= forward_dropped_43_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_44 then
+        forward_far_44 <= forward_far_44_choice;
+      else
+        forward_far_44 <= forward_dropped_44_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_45 then
+        forward_far_45 <= forward_far_45_choice;
+      else
+        forward_far_45 <= forward_dropped_45_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_46 then
+        forward_far_46 <= forward_far_46_choice;
+      else
+        forward_far_46 <= forward_dropped_46_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_47 then
+        forward_far_47 <= forward_far_47_choice;
+      else
+        forward_far_47 <= forward_dropped_47_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_49 then
+        forward_far_49 <= forward_far_49_choice;
+      else
+        forward_far_49 <= forward_dropped_49_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_50 then
+        forward_far_50 <= forward_far_50_choice;
+      else
+        forward_far_50 <= forward_dropped_50_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_51 then
+        forward_far_51 <= forward_far_51_choice;
+      else
+        forward_far_51 <= forward_dropped_51_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_52 then
+        forward_far_52 <= forward_far_52_choice;
+      else
+        forward_far_52 <= forward_dropped_52_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_53 then
+        forward_far_53 <= forward_far_53_choice;
+      else
+        forward_far_53 <= forward_dropped_53_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_54 then
+        forward_far_54 <= forward_far_54_choice;
+      else
+        forward_far_54 <= forward_dropped_54_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_55 then
+        forward_far_55 <= forward_far_55_choice;
+      else
+        forward_far_55 <= forward_dropped_55_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_56 then
+        forward_far_56 <= forward_far_56_choice;
+      else
+        forward_far_56 <= forward_dropped_56_value and entry_tag_valid and (not forward_next_first);
+      end if;
+      if forward_far_57 then
+        forward_far_57 <= forward_far_57_choice;
+      else
+        forward_far_57 <= forward_dropped_57_value and entry_tag_valid and (not forward_next_first);
+      end if;
       -- decisions
       if entry_tag_valid then
         decisions_ready_decision_0 <= to_integer(decisions_read_words_0(1 downto 0));
@@ -13844,73 +17705,232 @@ begin
       lastwinner1_best_cost_0_29_is_less := (last_path_0_59 - last_path_0_58) < 0;
       lastwinner1_best_cost_0_30_is_less := (last_path_0_61 - last_path_0_60) < 0;
       lastwinner1_best_cost_0_31_is_less := (last_path_0_63 - last_path_0_62) < 0;
-      lastwinner1_best_cost_0_0 <= last_path_0_1 when lastwinner1_best_cost_0_0_is_less else last_path_0_0;
-      lastwinner1_best_cost_0_1 <= last_path_0_3 when lastwinner1_best_cost_0_1_is_less else last_path_0_2;
-      lastwinner1_best_cost_0_2 <= last_path_0_5 when lastwinner1_best_cost_0_2_is_less else last_path_0_4;
-      lastwinner1_best_cost_0_3 <= last_path_0_7 when lastwinner1_best_cost_0_3_is_less else last_path_0_6;
-      lastwinner1_best_cost_0_4 <= last_path_0_9 when lastwinner1_best_cost_0_4_is_less else last_path_0_8;
-      lastwinner1_best_cost_0_5 <= last_path_0_11 when lastwinner1_best_cost_0_5_is_less else last_path_0_10;
-      lastwinner1_best_cost_0_6 <= last_path_0_13 when lastwinner1_best_cost_0_6_is_less else last_path_0_12;
-      lastwinner1_best_cost_0_7 <= last_path_0_15 when lastwinner1_best_cost_0_7_is_less else last_path_0_14;
-      lastwinner1_best_cost_0_8 <= last_path_0_17 when lastwinner1_best_cost_0_8_is_less else last_path_0_16;
-      lastwinner1_best_cost_0_9 <= last_path_0_19 when lastwinner1_best_cost_0_9_is_less else last_path_0_18;
-      lastwinner1_best_cost_0_10 <= last_path_0_21 when lastwinner1_best_cost_0_10_is_less else last_path_0_20;
-      lastwinner1_best_cost_0_11 <= last_path_0_23 when lastwinner1_best_cost_0_11_is_less else last_path_0_22;
-      lastwinner1_best_cost_0_12 <= last_path_0_25 when lastwinner1_best_cost_0_12_is_less else last_path_0_24;
-      lastwinner1_best_cost_0_13 <= last_path_0_27 when lastwinner1_best_cost_0_13_is_less else last_path_0_26;
-      lastwinner1_best_cost_0_14 <= last_path_0_29 when lastwinner1_best_cost_0_14_is_less else last_path_0_28;
-      lastwinner1_best_cost_0_15 <= last_path_0_31 when lastwinner1_best_cost_0_15_is_less else last_path_0_30;
-      lastwinner1_best_cost_0_16 <= last_path_0_33 when lastwinner1_best_cost_0_16_is_less else last_path_0_32;
-      lastwinner1_best_cost_0_17 <= last_path_0_35 when lastwinner1_best_cost_0_17_is_less else last_path_0_34;
-      lastwinner1_best_cost_0_18 <= last_path_0_37 when lastwinner1_best_cost_0_18_is_less else last_path_0_36;
-      lastwinner1_best_cost_0_19 <= last_path_0_39 when lastwinner1_best_cost_0_19_is_less else last_path_0_38;
-      lastwinner1_best_cost_0_20 <= last_path_0_41 when lastwinner1_best_cost_0_20_is_less else last_path_0_40;
-      lastwinner1_best_cost_0_21 <= last_path_0_43 when lastwinner1_best_cost_0_21_is_less else last_path_0_42;
-      lastwinner1_best_cost_0_22 <= last_path_0_45 when lastwinner1_best_cost_0_22_is_less else last_path_0_44;
-      lastwinner1_best_cost_0_23 <= last_path_0_47 when lastwinner1_best_cost_0_23_is_less else last_path_0_46;
-      lastwinner1_best_cost_0_24 <= last_path_0_49 when lastwinner1_best_cost_0_24_is_less else last_path_0_48;
-      lastwinner1_best_cost_0_25 <= last_path_0_51 when lastwinner1_best_cost_0_25_is_less else last_path_0_50;
-      lastwinner1_best_cost_0_26 <= last_path_0_53 when lastwinner1_best_cost_0_26_is_less else last_path_0_52;
-      lastwinner1_best_cost_0_27 <= last_path_0_55 when lastwinner1_best_cost_0_27_is_less else last_path_0_54;
-      lastwinner1_best_cost_0_28 <= last_path_0_57 when lastwinner1_best_cost_0_28_is_less else last_path_0_56;
-      lastwinner1_best_cost_0_29 <= last_path_0_59 when lastwinner1_best_cost_0_29_is_less else last_path_0_58;
-      lastwinner1_best_cost_0_30 <= last_path_0_61 when lastwinner1_best_cost_0_30_is_less else last_path_0_60;
-      lastwinner1_best_cost_0_31 <= last_path_0_63 when lastwinner1_best_cost_0_31_is_less else last_path_0_62;
       lastwinner1_best_index_0_0 <= lastwinner1_best_cost_0_0_is_less;
-      lastwinner1_best_index_0_1 <= 3 when lastwinner1_best_cost_0_1_is_less else 2;
-      lastwinner1_best_index_0_2 <= 5 when lastwinner1_best_cost_0_2_is_less else 4;
-      lastwinner1_best_index_0_3 <= 7 when lastwinner1_best_cost_0_3_is_less else 6;
-      lastwinner1_best_index_0_4 <= 9 when lastwinner1_best_cost_0_4_is_less else 8;
-      lastwinner1_best_index_0_5 <= 11 when lastwinner1_best_cost_0_5_is_less else 10;
-      lastwinner1_best_index_0_6 <= 13 when lastwinner1_best_cost_0_6_is_less else 12;
-      lastwinner1_best_index_0_7 <= 15 when lastwinner1_best_cost_0_7_is_less else 14;
-      lastwinner1_best_index_0_8 <= 17 when lastwinner1_best_cost_0_8_is_less else 16;
-      lastwinner1_best_index_0_9 <= 19 when lastwinner1_best_cost_0_9_is_less else 18;
-      lastwinner1_best_index_0_10 <= 21 when lastwinner1_best_cost_0_10_is_less else 20;
-      lastwinner1_best_index_0_11 <= 23 when lastwinner1_best_cost_0_11_is_less else 22;
-      lastwinner1_best_index_0_12 <= 25 when lastwinner1_best_cost_0_12_is_less else 24;
-      lastwinner1_best_index_0_13 <= 27 when lastwinner1_best_cost_0_13_is_less else 26;
-      lastwinner1_best_index_0_14 <= 29 when lastwinner1_best_cost_0_14_is_less else 28;
-      lastwinner1_best_index_0_15 <= 31 when lastwinner1_best_cost_0_15_is_less else 30;
-      lastwinner1_best_index_0_16 <= 33 when lastwinner1_best_cost_0_16_is_less else 32;
-      lastwinner1_best_index_0_17 <= 35 when lastwinner1_best_cost_0_17_is_less else 34;
-      lastwinner1_best_index_0_18 <= 37 when lastwinner1_best_cost_0_18_is_less else 36;
-      lastwinner1_best_index_0_19 <= 39 when lastwinner1_best_cost_0_19_is_less else 38;
-      lastwinner1_best_index_0_20 <= 41 when lastwinner1_best_cost_0_20_is_less else 40;
-      lastwinner1_best_index_0_21 <= 43 when lastwinner1_best_cost_0_21_is_less else 42;
-      lastwinner1_best_index_0_22 <= 45 when lastwinner1_best_cost_0_22_is_less else 44;
-      lastwinner1_best_index_0_23 <= 47 when lastwinner1_best_cost_0_23_is_less else 46;
-      lastwinner1_best_index_0_24 <= 49 when lastwinner1_best_cost_0_24_is_less else 48;
-      lastwinner1_best_index_0_25 <= 51 when lastwinner1_best_cost_0_25_is_less else 50;
-      lastwinner1_best_index_0_26 <= 53 when lastwinner1_best_cost_0_26_is_less else 52;
-      lastwinner1_best_index_0_27 <= 55 when lastwinner1_best_cost_0_27_is_less else 54;
-      lastwinner1_best_index_0_28 <= 57 when lastwinner1_best_cost_0_28_is_less else 56;
-      lastwinner1_best_index_0_29 <= 59 when lastwinner1_best_cost_0_29_is_less else 58;
-      lastwinner1_best_index_0_30 <= 61 when lastwinner1_best_cost_0_30_is_less else 60;
-      lastwinner1_best_index_0_31 <= 63 when lastwinner1_best_cost_0_31_is_less else 62;
       lastwinner1_tag_valid <= last_tag_valid;
       lastwinner1_tag_map_column <= last_tag_map_column;
       lastwinner1_tag_end_of_line <= last_tag_end_of_line;
+      if lastwinner1_best_cost_0_0_is_less then
+        lastwinner1_best_cost_0_0 <= last_path_0_1;
+      else
+        lastwinner1_best_cost_0_0 <= last_path_0_0;
+      end if;
+      if lastwinner1_best_cost_0_1_is_less then
+        lastwinner1_best_cost_0_1 <= last_path_0_3;
+        lastwinner1_best_index_0_1 <= 3;
+      else
+        lastwinner1_best_cost_0_1 <= last_path_0_2;
+        lastwinner1_best_index_0_1 <= 2;
+      end if;
+      if lastwinner1_best_cost_0_2_is_less then
+        lastwinner1_best_cost_0_2 <= last_path_0_5;
+        lastwinner1_best_index_0_2 <= 5;
+      else
+        lastwinner1_best_cost_0_2 <= last_path_0_4;
+        lastwinner1_best_index_0_2 <= 4;
+      end if;
+      if lastwinner1_best_cost_0_3_is_less then
+        lastwinner1_best_cost_0_3 <= last_path_0_7;
+        lastwinner1_best_index_0_3 <= 7;
+      else
+        lastwinner1_best_cost_0_3 <= last_path_0_6;
+        lastwinner1_best_index_0_3 <= 6;
+      end if;
+      if lastwinner1_best_cost_0_4_is_less then
+        lastwinner1_best_cost_0_4 <= last_path_0_9;
+        lastwinner1_best_index_0_4 <= 9;
+      else
+        lastwinner1_best_cost_0_4 <= last_path_0_8;
+        lastwinner1_best_index_0_4 <= 8;
+      end if;
+      if lastwinner1_best_cost_0_5_is_less then
+        lastwinner1_best_cost_0_5 <= last_path_0_11;
+        lastwinner1_best_index_0_5 <= 11;
+      else
+        lastwinner1_best_cost_0_5 <= last_path_0_10;
+        lastwinner1_best_index_0_5 <= 10;
+      end if;
+      if lastwinner1_best_cost_0_6_is_less then
+        lastwinner1_best_cost_0_6 <= last_path_0_13;
+        lastwinner1_best_index_0_6 <= 13;
+      else
+        lastwinner1_best_cost_0_6 <= last_path_0_12;
+        lastwinner1_best_index_0_6 <= 12;
+      end if;
+      if lastwinner1_best_cost_0_7_is_less then
+        lastwinner1_best_cost_0_7 <= last_path_0_15;
+        lastwinner1_best_index_0_7 <= 15;
+      else
+        lastwinner1_best_cost_0_7 <= last_path_0_14;
+        lastwinner1_best_index_0_7 <= 14;
+      end if;
+      if lastwinner1_best_cost_0_8_is_less then
+        lastwinner1_best_cost_0_8 <= last_path_0_17;
+        lastwinner1_best_index_0_8 <= 17;
+      else
+        lastwinner1_best_cost_0_8 <= last_path_0_16;
+        lastwinner1_best_index_0_8 <= 16;
+      end if;
+      if lastwinner1_best_cost_0_9_is_less then
+        lastwinner1_best_cost_0_9 <= last_path_0_19;
+        lastwinner1_best_index_0_9 <= 19;
+      else
+        lastwinner1_best_cost_0_9 <= last_path_0_18;
+        lastwinner1_best_index_0_9 <= 18;
+      end if;
+      if lastwinner1_best_cost_0_10_is_less then
+        lastwinner1_best_cost_0_10 <= last_path_0_21;
+        lastwinner1_best_index_0_10 <= 21;
+      else
+        lastwinner1_best_cost_0_10 <= last_path_0_20;
+        lastwinner1_best_index_0_10 <= 20;
+      end if;
+      if lastwinner1_best_cost_0_11_is_less then
+        lastwinner1_best_cost_0_11 <= last_path_0_23;
+        lastwinner1_best_index_0_11 <= 23;
+      else
+        lastwinner1_best_cost_0_11 <= last_path_0_22;
+        lastwinner1_best_index_0_11 <= 22;
+      end if;
+      if lastwinner1_best_cost_0_12_is_less then
+        lastwinner1_best_cost_0_12 <= last_path_0_25;
+        lastwinner1_best_index_0_12 <= 25;
+      else
+        lastwinner1_best_cost_0_12 <= last_path_0_24;
+        lastwinner1_best_index_0_12 <= 24;
+      end if;
+      if lastwinner1_best_cost_0_13_is_less then
+        lastwinner1_best_cost_0_13 <= last_path_0_27;
+        lastwinner1_best_index_0_13 <= 27;
+      else
+        lastwinner1_best_cost_0_13 <= last_path_0_26;
+        lastwinner1_best_index_0_13 <= 26;
+      end if;
+      if lastwinner1_best_cost_0_14_is_less then
+        lastwinner1_best_cost_0_14 <= last_path_0_29;
+        lastwinner1_best_index_0_14 <= 29;
+      else
+        lastwinner1_best_cost_0_14 <= last_path_0_28;
+        lastwinner1_best_index_0_14 <= 28;
+      end if;
+      if lastwinner1_best_cost_0_15_is_less then
+        lastwinner1_best_cost_0_15 <= last_path_0_31;
+        lastwinner1_best_index_0_15 <= 31;
+      else
+        lastwinner1_best_cost_0_15 <= last_path_0_30;
+        lastwinner1_best_index_0_15 <= 30;
+      end if;
+      if lastwinner1_best_cost_0_16_is_less then
+        lastwinner1_best_cost_0_16 <= last_path_0_33;
+        lastwinner1_best_index_0_16 <= 33;
+      else
+        lastwinner1_best_cost_0_16 <= last_path_0_32;
+        lastwinner1_best_index_0_16 <= 32;
+      end if;
+      if lastwinner1_best_cost_0_17_is_less then
+        lastwinner1_best_cost_0_17 <= last_path_0_35;
+        lastwinner1_best_index_0_17 <= 35;
+      else
+        lastwinner1_best_cost_0_17 <= last_path_0_34;
+        lastwinner1_best_index_0_17 <= 34;
+      end if;
+      if lastwinner1_best_cost_0_18_is_less then
+        lastwinner1_best_cost_0_18 <= last_path_0_37;
+        lastwinner1_best_index_0_18 <= 37;
+      else
+        lastwinner1_best_cost_0_18 <= last_path_0_36;
+        lastwinner1_best_index_0_18 <= 36;
+      end if;
+      if lastwinner1_best_cost_0_19_is_less then
+        lastwinner1_best_cost_0_19 <= last_path_0_39;
+        lastwinner1_best_index_0_19 <= 39;
+      else
+        lastwinner1_best_cost_0_19 <= last_path_0_38;
+        lastwinner1_best_index_0_19 <= 38;
+      end if;
+      if lastwinner1_best_cost_0_20_is_less then
+        lastwinner1_best_cost_0_20 <= last_path_0_41;
+        lastwinner1_best_index_0_20 <= 41;
+      else
+        lastwinner1_best_cost_0_20 <= last_path_0_40;
+        lastwinner1_best_index_0_20 <= 40;
+      end if;
+      if lastwinner1_best_cost_0_21_is_less then
+        lastwinner1_best_cost_0_21 <= last_path_0_43;
+        lastwinner1_best_index_0_21 <= 43;
+      else
+        lastwinner1_best_cost_0_21 <= last_path_0_42;
+        lastwinner1_best_index_0_21 <= 42;
+      end if;
+      if lastwinner1_best_cost_0_22_is_less then
+        lastwinner1_best_cost_0_22 <= last_path_0_45;
+        lastwinner1_best_index_0_22 <= 45;
+      else
+        lastwinner1_best_cost_0_22 <= last_path_0_44;
+        lastwinner1_best_index_0_22 <= 44;
+      end if;
+      if lastwinner1_best_cost_0_23_is_less then
+        lastwinner1_best_cost_0_23 <= last_path_0_47;
+        lastwinner1_best_index_0_23 <= 47;
+      else
+        lastwinner1_best_cost_0_23 <= last_path_0_46;
+        lastwinner1_best_index_0_23 <= 46;
+      end if;
+      if lastwinner1_best_cost_0_24_is_less then
+        lastwinner1_best_cost_0_24 <= last_path_0_49;
+        lastwinner1_best_index_0_24 <= 49;
+      else
+        lastwinner1_best_cost_0_24 <= last_path_0_48;
+        lastwinner1_best_index_0_24 <= 48;
+      end if;
+      if lastwinner1_best_cost_0_25_is_less then
+        lastwinner1_best_cost_0_25 <= last_path_0_51;
+        lastwinner1_best_index_0_25 <= 51;
+      else
+        lastwinner1_best_cost_0_25 <= last_path_0_50;
+        lastwinner1_best_index_0_25 <= 50;
+      end if;
+      if lastwinner1_best_cost_0_26_is_less then
+        lastwinner1_best_cost_0_26 <= last_path_0_53;
+        lastwinner1_best_index_0_26 <= 53;
+      else
+        lastwinner1_best_cost_0_26 <= last_path_0_52;
+        lastwinner1_best_index_0_26 <= 52;
+      end if;
+      if lastwinner1_best_cost_0_27_is_less then
+        lastwinner1_best_cost_0_27 <= last_path_0_55;
+        lastwinner1_best_index_0_27 <= 55;
+      else
+        lastwinner1_best_cost_0_27 <= last_path_0_54;
+        lastwinner1_best_index_0_27 <= 54;
+      end if;
+      if lastwinner1_best_cost_0_28_is_less then
+        lastwinner1_best_cost_0_28 <= last_path_0_57;
+        lastwinner1_best_index_0_28 <= 57;
+      else
+        lastwinner1_best_cost_0_28 <= last_path_0_56;
+        lastwinner1_best_index_0_28 <= 56;
+      end if;
+      if lastwinner1_best_cost_0_29_is_less then
+        lastwinner1_best_cost_0_29 <= last_path_0_59;
+        lastwinner1_best_index_0_29 <= 59;
+      else
+        lastwinner1_best_cost_0_29 <= last_path_0_58;
+        lastwinner1_best_index_0_29 <= 58;
+      end if;
+      if lastwinner1_best_cost_0_30_is_less then
+        lastwinner1_best_cost_0_30 <= last_path_0_61;
+        lastwinner1_best_index_0_30 <= 61;
+      else
+        lastwinner1_best_cost_0_30 <= last_path_0_60;
+        lastwinner1_best_index_0_30 <= 60;
+      end if;
+      if lastwinner1_best_cost_0_31_is_less then
+        lastwinner1_best_cost_0_31 <= last_path_0_63;
+        lastwinner1_best_index_0_31 <= 63;
+      else
+        lastwinner1_best_cost_0_31 <= last_path_0_62;
+        lastwinner1_best_index_0_31 <= 62;
+      end if;
       -- lastwinner2
       lastwinner2_best_cost_0_0_is_less := (lastwinner1_best_cost_0_1 - lastwinner1_best_cost_0_0) < 0;
       lastwinner2_best_cost_0_1_is_less := (lastwinner1_best_cost_0_3 - lastwinner1_best_cost_0_2) < 0;
@@ -13928,73 +17948,121 @@ begin
       lastwinner2_best_cost_0_13_is_less := (lastwinner1_best_cost_0_27 - lastwinner1_best_cost_0_26) < 0;
       lastwinner2_best_cost_0_14_is_less := (lastwinner1_best_cost_0_29 - lastwinner1_best_cost_0_28) < 0;
       lastwinner2_best_cost_0_15_is_less := (lastwinner1_best_cost_0_31 - lastwinner1_best_cost_0_30) < 0;
-      lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1 when lastwinner2_best_cost_0_0_is_less else
-        lastwinner1_best_cost_0_0;
-      lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3 when lastwinner2_best_cost_0_1_is_less else
-        lastwinner1_best_cost_0_2;
-      lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_5 when lastwinner2_best_cost_0_2_is_less else
-        lastwinner1_best_cost_0_4;
-      lastwinner2_best_cost_0_3 <= lastwinner1_best_cost_0_7 when lastwinner2_best_cost_0_3_is_less else
-        lastwinner1_best_cost_0_6;
-      lastwinner2_best_cost_0_4 <= lastwinner1_best_cost_0_9 when lastwinner2_best_cost_0_4_is_less else
-        lastwinner1_best_cost_0_8;
-      lastwinner2_best_cost_0_5 <= lastwinner1_best_cost_0_11 when lastwinner2_best_cost_0_5_is_less else
-        lastwinner1_best_cost_0_10;
-      lastwinner2_best_cost_0_6 <= lastwinner1_best_cost_0_13 when lastwinner2_best_cost_0_6_is_less else
-        lastwinner1_best_cost_0_12;
-      lastwinner2_best_cost_0_7 <= lastwinner1_best_cost_0_15 when lastwinner2_best_cost_0_7_is_less else
-        lastwinner1_best_cost_0_14;
-      lastwinner2_best_cost_0_8 <= lastwinner1_best_cost_0_17 when lastwinner2_best_cost_0_8_is_less else
-        lastwinner1_best_cost_0_16;
-      lastwinner2_best_cost_0_9 <= lastwinner1_best_cost_0_19 when lastwinner2_best_cost_0_9_is_less else
-        lastwinner1_best_cost_0_18;
-      lastwinner2_best_cost_0_10 <= lastwinner1_best_cost_0_21 when lastwinner2_best_cost_0_10_is_less else
-        lastwinner1_best_cost_0_20;
-      lastwinner2_best_cost_0_11 <= lastwinner1_best_cost_0_23 when lastwinner2_best_cost_0_11_is_less else
-        lastwinner1_best_cost_0_22;
-      lastwinner2_best_cost_0_12 <= lastwinner1_best_cost_0_25 when lastwinner2_best_cost_0_12_is_less else
-        lastwinner1_best_cost_0_24;
-      lastwinner2_best_cost_0_13 <= lastwinner1_best_cost_0_27 when lastwinner2_best_cost_0_13_is_less else
-        lastwinner1_best_cost_0_26;
-      lastwinner2_best_cost_0_14 <= lastwinner1_best_cost_0_29 when lastwinner2_best_cost_0_14_is_less else
-        lastwinner1_best_cost_0_28;
-      lastwinner2_best_cost_0_15 <= lastwinner1_best_cost_0_31 when lastwinner2_best_cost_0_15_is_less else
-        lastwinner1_best_cost_0_30;
-      lastwinner2_best_index_0_0 <= lastwinner1_best_index_0_1 when lastwinner2_best_cost_0_0_is_less else
-        as_number(lastwinner1_best_index_0_0);
-      lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_3 when lastwinner2_best_cost_0_1_is_less else
-        lastwinner1_best_index_0_2;
-      lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_5 when lastwinner2_best_cost_0_2_is_less else
-        lastwinner1_best_index_0_4;
-      lastwinner2_best_index_0_3 <= lastwinner1_best_index_0_7 when lastwinner2_best_cost_0_3_is_less else
-        lastwinner1_best_index_0_6;
-      lastwinner2_best_index_0_4 <= lastwinner1_best_index_0_9 when lastwinner2_best_cost_0_4_is_less else
-        lastwinner1_best_index_0_8;
-      lastwinner2_best_index_0_5 <= lastwinner1_best_index_0_11 when lastwinner2_best_cost_0_5_is_less else
-        lastwinner1_best_index_0_10;
-      lastwinner2_best_index_0_6 <= lastwinner1_best_index_0_13 when lastwinner2_best_cost_0_6_is_less else
-        lastwinner1_best_index_0_12;
-      lastwinner2_best_index_0_7 <= lastwinner1_best_index_0_15 when lastwinner2_best_cost_0_7_is_less else
-        lastwinner1_best_index_0_14;
-      lastwinner2_best_index_0_8 <= lastwinner1_best_index_0_17 when lastwinner2_best_cost_0_8_is_less else
-        lastwinner1_best_index_0_16;
-      lastwinner2_best_index_0_9 <= lastwinner1_best_index_0_19 when lastwinner2_best_cost_0_9_is_less else
-        lastwinner1_best_index_0_18;
-      lastwinner2_best_index_0_10 <= lastwinner1_best_index_0_21 when lastwinner2_best_cost_0_10_is_less else
-        lastwinner1_best_index_0_20;
-      lastwinner2_best_index_0_11 <= lastwinner1_best_index_0_23 when lastwinner2_best_cost_0_11_is_less else
-        lastwinner1_best_index_0_22;
-      lastwinner2_best_index_0_12 <= lastwinner1_best_index_0_25 when lastwinner2_best_cost_0_12_is_less else
-        lastwinner1_best_index_0_24;
-      lastwinner2_best_index_0_13 <= lastwinner1_best_index_0_27 when lastwinner2_best_cost_0_13_is_less else
-        lastwinner1_best_index_0_26;
-      lastwinner2_best_index_0_14 <= lastwinner1_best_index_0_29 when lastwinner2_best_cost_0_14_is_less else
-        lastwinner1_best_index_0_28;
-      lastwinner2_best_index_0_15 <= lastwinner1_best_index_0_31 when lastwinner2_best_cost_0_15_is_less else
-        lastwinner1_best_index_0_30;
       lastwinner2_tag_valid <= lastwinner1_tag_valid;
       lastwinner2_tag_map_column <= lastwinner1_tag_map_column;
       lastwinner2_tag_end_of_line <= lastwinner1_tag_end_of_line;
+      if lastwinner2_best_cost_0_0_is_less then
+        lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_1;
+        lastwinner2_best_index_0_0 <= lastwinner1_best_index_0_1;
+      else
+        lastwinner2_best_cost_0_0 <= lastwinner1_best_cost_0_0;
+        lastwinner2_best_index_0_0 <= as_number(lastwinner1_best_index_0_0);
+      end if;
+      if lastwinner2_best_cost_0_1_is_less then
+        lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_3;
+        lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_3;
+      else
+        lastwinner2_best_cost_0_1 <= lastwinner1_best_cost_0_2;
+        lastwinner2_best_index_0_1 <= lastwinner1_best_index_0_2;
+      end if;
+      if lastwinner2_best_cost_0_2_is_less then
+        lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_5;
+        lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_5;
+      else
+        lastwinner2_best_cost_0_2 <= lastwinner1_best_cost_0_4;
+        lastwinner2_best_index_0_2 <= lastwinner1_best_index_0_4;
+      end if;
+      if lastwinner2_best_cost_0_3_is_less then
+        lastwinner2_best_cost_0_3 <= lastwinner1_best_cost_0_7;
+        lastwinner2_best_index_0_3 <= lastwinner1_best_index_0_7;
+      else
+        lastwinner2_best_cost_0_3 <= lastwinner1_best_cost_0_6;
+        lastwinner2_best_index_0_3 <= lastwinner1_best_index_0_6;
+      end if;
+      if lastwinner2_best_cost_0_4_is_less then
+        lastwinner2_best_cost_0_4 <= lastwinner1_best_cost_0_9;
+        lastwinner2_best_index_0_4 <= lastwinner1_best_index_0_9;
+      else
+        lastwinner2_best_cost_0_4 <= lastwinner1_best_cost_0_8;
+        lastwinner2_best_index_0_4 <= lastwinner1_best_index_0_8;
+      end if;
+      if lastwinner2_best_cost_0_5_is_less then
+        lastwinner2_best_cost_0_5 <= lastwinner1_best_cost_0_11;
+        lastwinner2_best_index_0_5 <= lastwinner1_best_index_0_11;
+      else
+        lastwinner2_best_cost_0_5 <= lastwinner1_best_cost_0_10;
+        lastwinner2_best_index_0_5 <= lastwinner1_best_index_0_10;
+      end if;
+      if lastwinner2_best_cost_0_6_is_less then
+        lastwinner2_best_cost_0_6 <= lastwinner1_best_cost_0_13;
+        lastwinner2_best_index_0_6 <= lastwinner1_best_index_0_13;
+      else
+        lastwinner2_best_cost_0_6 <= lastwinner1_best_cost_0_12;
+        lastwinner2_best_index_0_6 <= lastwinner1_best_index_0_12;
+      end if;
+      if lastwinner2_best_cost_0_7_is_less then
+        lastwinner2_best_cost_0_7 <= lastwinner1_best_cost_0_15;
+        lastwinner2_best_index_0_7 <= lastwinner1_best_index_0_15;
+      else
+        lastwinner2_best_cost_0_7 <= lastwinner1_best_cost_0_14;
+        lastwinner2_best_index_0_7 <= lastwinner1_best_index_0_14;
+      end if;
+      if lastwinner2_best_cost_0_8_is_less then
+        lastwinner2_best_cost_0_8 <= lastwinner1_best_cost_0_17;
+        lastwinner2_best_index_0_8 <= lastwinner1_best_index_0_17;
+      else
+        lastwinner2_best_cost_0_8 <= lastwinner1_best_cost_0_16;
+        lastwinner2_best_index_0_8 <= lastwinner1_best_index_0_16;
+      end if;
+      if lastwinner2_best_cost_0_9_is_less then
+        lastwinner2_best_cost_0_9 <= lastwinner1_best_cost_0_19;
+        lastwinner2_best_index_0_9 <= lastwinner1_best_index_0_19;
+      else
+        lastwinner2_best_cost_0_9 <= lastwinner1_best_cost_0_18;
+        lastwinner2_best_index_0_9 <= lastwinner1_best_index_0_18;
+      end if;
+      if lastwinner2_best_cost_0_10_is_less then
+        lastwinner2_best_cost_0_10 <= lastwinner1_best_cost_0_21;
+        lastwinner2_best_index_0_10 <= lastwinner1_best_index_0_21;
+      else
+        lastwinner2_best_cost_0_10 <= lastwinner1_best_cost_0_20;
+        lastwinner2_best_index_0_10 <= lastwinner1_best_index_0_20;
+      end if;
+      if lastwinner2_best_cost_0_11_is_less then
+        lastwinner2_best_cost_0_11 <= lastwinner1_best_cost_0_23;
+        lastwinner2_best_index_0_11 <= lastwinner1_best_index_0_23;
+      else
+        lastwinner2_best_cost_0_11 <= lastwinner1_best_cost_0_22;
+        lastwinner2_best_index_0_11 <= lastwinner1_best_index_0_22;
+      end if;
+      if lastwinner2_best_cost_0_12_is_less then
+        lastwinner2_best_cost_0_12 <= lastwinner1_best_cost_0_25;
+        lastwinner2_best_index_0_12 <= lastwinner1_best_index_0_25;
+      else
+        lastwinner2_best_cost_0_12 <= lastwinner1_best_cost_0_24;
+        lastwinner2_best_index_0_12 <= lastwinner1_best_index_0_24;
+      end if;
+      if lastwinner2_best_cost_0_13_is_less then
+        lastwinner2_best_cost_0_13 <= lastwinner1_best_cost_0_27;
+        lastwinner2_best_index_0_13 <= lastwinner1_best_index_0_27;
+      else
+        lastwinner2_best_cost_0_13 <= lastwinner1_best_cost_0_26;
+        lastwinner2_best_index_0_13 <= lastwinner1_best_index_0_26;
+      end if;
+      if lastwinner2_best_cost_0_14_is_less then
+        lastwinner2_best_cost_0_14 <= lastwinner1_best_cost_0_29;
+        lastwinner2_best_index_0_14 <= lastwinner1_best_index_0_29;
+      else
+        lastwinner2_best_cost_0_14 <= lastwinner1_best_cost_0_28;
+        lastwinner2_best_index_0_14 <= lastwinner1_best_index_0_28;
+      end if;
+      if lastwinner2_best_cost_0_15_is_less then
+        lastwinner2_best_cost_0_15 <= lastwinner1_best_cost_0_31;
+        lastwinner2_best_index_0_15 <= lastwinner1_best_index_0_31;
+      else
+        lastwinner2_best_cost_0_15 <= lastwinner1_best_cost_0_30;
+        lastwinner2_best_index_0_15 <= lastwinner1_best_index_0_30;
+      end if;
       -- lastwinner3
       lastwinner3_best_cost_0_0_is_less := (lastwinner2_best_cost_0_1 - lastwinner2_best_cost_0_0) < 0;
       lastwinner3_best_cost_0_1_is_less := (lastwinner2_best_cost_0_3 - lastwinner2_best_cost_0_2) < 0;
@@ -14004,85 +18072,130 @@ begin
       lastwinner3_best_cost_0_5_is_less := (lastwinner2_best_cost_0_11 - lastwinner2_best_cost_0_10) < 0;
       lastwinner3_best_cost_0_6_is_less := (lastwinner2_best_cost_0_13 - lastwinner2_best_cost_0_12) < 0;
       lastwinner3_best_cost_0_7_is_less := (lastwinner2_best_cost_0_15 - lastwinner2_best_cost_0_14) < 0;
-      lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1 when lastwinner3_best_cost_0_0_is_less else
-        lastwinner2_best_cost_0_0;
-      lastwinner3_best_cost_0_1 <= lastwinner2_best_cost_0_3 when lastwinner3_best_cost_0_1_is_less else
-        lastwinner2_best_cost_0_2;
-      lastwinner3_best_cost_0_2 <= lastwinner2_best_cost_0_5 when lastwinner3_best_cost_0_2_is_less else
-        lastwinner2_best_cost_0_4;
-      lastwinner3_best_cost_0_3 <= lastwinner2_best_cost_0_7 when lastwinner3_best_cost_0_3_is_less else
-        lastwinner2_best_cost_0_6;
-      lastwinner3_best_cost_0_4 <= lastwinner2_best_cost_0_9 when lastwinner3_best_cost_0_4_is_less else
-        lastwinner2_best_cost_0_8;
-      lastwinner3_best_cost_0_5 <= lastwinner2_best_cost_0_11 when lastwinner3_best_cost_0_5_is_less else
-        lastwinner2_best_cost_0_10;
-      lastwinner3_best_cost_0_6 <= lastwinner2_best_cost_0_13 when lastwinner3_best_cost_0_6_is_less else
-        lastwinner2_best_cost_0_12;
-      lastwinner3_best_cost_0_7 <= lastwinner2_best_cost_0_15 when lastwinner3_best_cost_0_7_is_less else
-        lastwinner2_best_cost_0_14;
-      lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_1 when lastwinner3_best_cost_0_0_is_less else
-        lastwinner2_best_index_0_0;
-      lastwinner3_best_index_0_1 <= lastwinner2_best_index_0_3 when lastwinner3_best_cost_0_1_is_less else
-        lastwinner2_best_index_0_2;
-      lastwinner3_best_index_0_2 <= lastwinner2_best_index_0_5 when lastwinner3_best_cost_0_2_is_less else
-        lastwinner2_best_index_0_4;
-      lastwinner3_best_index_0_3 <= lastwinner2_best_index_0_7 when lastwinner3_best_cost_0_3_is_less else
-        lastwinner2_best_index_0_6;
-      lastwinner3_best_index_0_4 <= lastwinner2_best_index_0_9 when lastwinner3_best_cost_0_4_is_less else
-        lastwinner2_best_index_0_8;
-      lastwinner3_best_index_0_5 <= lastwinner2_best_index_0_11 when lastwinner3_best_cost_0_5_is_less else
-        lastwinner2_best_index_0_10;
-      lastwinner3_best_index_0_6 <= lastwinner2_best_index_0_13 when lastwinner3_best_cost_0_6_is_less else
-        lastwinner2_best_index_0_12;
-      lastwinner3_best_index_0_7 <= lastwinner2_best_index_0_15 when lastwinner3_best_cost_0_7_is_less else
-        lastwinner2_best_index_0_14;
       lastwinner3_tag_valid <= lastwinner2_tag_valid;
       lastwinner3_tag_map_column <= lastwinner2_tag_map_column;
       lastwinner3_tag_end_of_line <= lastwinner2_tag_end_of_line;
+      if lastwinner3_best_cost_0_0_is_less then
+        lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_1;
+        lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_1;
+      else
+        lastwinner3_best_cost_0_0 <= lastwinner2_best_cost_0_0;
+        lastwinner3_best_index_0_0 <= lastwinner2_best_index_0_0;
+      end if;
+      if lastwinner3_best_cost_0_1_is_less then
+        lastwinner3_best_cost_0_1 <= lastwinner2_best_cost_0_3;
+        lastwinner3_best_index_0_1 <= lastwinner2_best_index_0_3;
+      else
+        lastwinner3_best_cost_0_1 <= lastwinner2_best_cost_0_2;
+        lastwinner3_best_index_0_1 <= lastwinner2_best_index_0_2;
+      end if;
+      if lastwinner3_best_cost_0_2_is_less then
+        lastwinner3_best_cost_0_2 <= lastwinner2_best_cost_0_5;
+        lastwinner3_best_index_0_2 <= lastwinner2_best_index_0_5;
+      else
+        lastwinner3_best_cost_0_2 <= lastwinner2_best_cost_0_4;
+        lastwinner3_best_index_0_2 <= lastwinner2_best_index_0_4;
+      end if;
+      if lastwinner3_best_cost_0_3_is_less then
+        lastwinner3_best_cost_0_3 <= lastwinner2_best_cost_0_7;
+        lastwinner3_best_index_0_3 <= lastwinner2_best_index_0_7;
+      else
+        lastwinner3_best_cost_0_3 <= lastwinner2_best_cost_0_6;
+        lastwinner3_best_index_0_3 <= lastwinner2_best_index_0_6;
+      end if;
+      if lastwinner3_best_cost_0_4_is_less then
+        lastwinner3_best_cost_0_4 <= lastwinner2_best_cost_0_9;
+        lastwinner3_best_index_0_4 <= lastwinner2_best_index_0_9;
+      else
+        lastwinner3_best_cost_0_4 <= lastwinner2_best_cost_0_8;
+        lastwinner3_best_index_0_4 <= lastwinner2_best_index_0_8;
+      end if;
+      if lastwinner3_best_cost_0_5_is_less then
+        lastwinner3_best_cost_0_5 <= lastwinner2_best_cost_0_11;
+        lastwinner3_best_index_0_5 <= lastwinner2_best_index_0_11;
+      else
+        lastwinner3_best_cost_0_5 <= lastwinner2_best_cost_0_10;
+        lastwinner3_best_index_0_5 <= lastwinner2_best_index_0_10;
+      end if;
+      if lastwinner3_best_cost_0_6_is_less then
+        lastwinner3_best_cost_0_6 <= lastwinner2_best_cost_0_13;
+        lastwinner3_best_index_0_6 <= lastwinner2_best_index_0_13;
+      else
+        lastwinner3_best_cost_0_6 <= lastwinner2_best_cost_0_12;
+        lastwinner3_best_index_0_6 <= lastwinner2_best_index_0_12;
+      end if;
+      if lastwinner3_best_cost_0_7_is_less then
+        lastwinner3_best_cost_0_7 <= lastwinner2_best_cost_0_15;
+        lastwinner3_best_index_0_7 <= lastwinner2_best_index_0_15;
+      else
+        lastwinner3_best_cost_0_7 <= lastwinner2_best_cost_0_14;
+        lastwinner3_best_index_0_7 <= lastwinner2_best_index_0_14;
+      end if;
       -- lastwinner4
       lastwinner4_best_cost_0_0_is_less := (lastwinner3_best_cost_0_1 - lastwinner3_best_cost_0_0) < 0;
       lastwinner4_best_cost_0_1_is_less := (lastwinner3_best_cost_0_3 - lastwinner3_best_cost_0_2) < 0;
       lastwinner4_best_cost_0_2_is_less := (lastwinner3_best_cost_0_5 - lastwinner3_best_cost_0_4) < 0;
       lastwinner4_best_cost_0_3_is_less := (lastwinner3_best_cost_0_7 - lastwinner3_best_cost_0_6) < 0;
-      lastwinner4_best_cost_0_0 <= lastwinner3_best_cost_0_1 when lastwinner4_best_cost_0_0_is_less else
-        lastwinner3_best_cost_0_0;
-      lastwinner4_best_cost_0_1 <= lastwinner3_best_cost_0_3 when lastwinner4_best_cost_0_1_is_less else
-        lastwinner3_best_cost_0_2;
-      lastwinner4_best_cost_0_2 <= lastwinner3_best_cost_0_5 when lastwinner4_best_cost_0_2_is_less else
-        lastwinner3_best_cost_0_4;
-      lastwinner4_best_cost_0_3 <= lastwinner3_best_cost_0_7 when lastwinner4_best_cost_0_3_is_less else
-        lastwinner3_best_cost_0_6;
-      lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1 when lastwinner4_best_cost_0_0_is_less else
-        lastwinner3_best_index_0_0;
-      lastwinner4_best_index_0_1 <= lastwinner3_best_index_0_3 when lastwinner4_best_cost_0_1_is_less else
-        lastwinner3_best_index_0_2;
-      lastwinner4_best_index_0_2 <= lastwinner3_best_index_0_5 when lastwinner4_best_cost_0_2_is_less else
-        lastwinner3_best_index_0_4;
-      lastwinner4_best_index_0_3 <= lastwinner3_best_index_0_7 when lastwinner4_best_cost_0_3_is_less else
-        lastwinner3_best_index_0_6;
       lastwinner4_tag_valid <= lastwinner3_tag_valid;
       lastwinner4_tag_map_column <= lastwinner3_tag_map_column;
       lastwinner4_tag_end_of_line <= lastwinner3_tag_end_of_line;
+      if lastwinner4_best_cost_0_0_is_less then
+        lastwinner4_best_cost_0_0 <= lastwinner3_best_cost_0_1;
+        lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_1;
+      else
+        lastwinner4_best_cost_0_0 <= lastwinner3_best_cost_0_0;
+        lastwinner4_best_index_0_0 <= lastwinner3_best_index_0_0;
+      end if;
+      if lastwinner4_best_cost_0_1_is_less then
+        lastwinner4_best_cost_0_1 <= lastwinner3_best_cost_0_3;
+        lastwinner4_best_index_0_1 <= lastwinner3_best_index_0_3;
+      else
+        lastwinner4_best_cost_0_1 <= lastwinner3_best_cost_0_2;
+        lastwinner4_best_index_0_1 <= lastwinner3_best_index_0_2;
+      end if;
+      if lastwinner4_best_cost_0_2_is_less then
+        lastwinner4_best_cost_0_2 <= lastwinner3_best_cost_0_5;
+        lastwinner4_best_index_0_2 <= lastwinner3_best_index_0_5;
+      else
+        lastwinner4_best_cost_0_2 <= lastwinner3_best_cost_0_4;
+        lastwinner4_best_index_0_2 <= lastwinner3_best_index_0_4;
+      end if;
+      if lastwinner4_best_cost_0_3_is_less then
+        lastwinner4_best_cost_0_3 <= lastwinner3_best_cost_0_7;
+        lastwinner4_best_index_0_3 <= lastwinner3_best_index_0_7;
+      else
+        lastwinner4_best_cost_0_3 <= lastwinner3_best_cost_0_6;
+        lastwinner4_best_index_0_3 <= lastwinner3_best_index_0_6;
+      end if;
       -- lastwinner5
       lastwinner5_best_cost_0_0_is_less := (lastwinner4_best_cost_0_1 - lastwinner4_best_cost_0_0) < 0;
       lastwinner5_best_cost_0_1_is_less := (lastwinner4_best_cost_0_3 - lastwinner4_best_cost_0_2) < 0;
-      lastwinner5_best_cost_0_0 <= lastwinner4_best_cost_0_1 when lastwinner5_best_cost_0_0_is_less else
-        lastwinner4_best_cost_0_0;
-      lastwinner5_best_cost_0_1 <= lastwinner4_best_cost_0_3 when lastwinner5_best_cost_0_1_is_less else
-        lastwinner4_best_cost_0_2;
-      lastwinner5_best_index_0_0 <= lastwinner4_best_index_0_1 when lastwinner5_best_cost_0_0_is_less else
-        lastwinner4_best_index_0_0;
-      lastwinner5_best_index_0_1 <= lastwinner4_best_index_0_3 when lastwinner5_best_cost_0_1_is_less else
-        lastwinner4_best_index_0_2;
       lastwinner5_tag_valid <= lastwinner4_tag_valid;
       lastwinner5_tag_map_column <= lastwinner4_tag_map_column;
       lastwinner5_tag_end_of_line <= lastwinner4_tag_end_of_line;
+      if lastwinner5_best_cost_0_0_is_less then
+        lastwinner5_best_cost_0_0 <= lastwinner4_best_cost_0_1;
+        lastwinner5_best_index_0_0 <= lastwinner4_best_index_0_1;
+      else
+        lastwinner5_best_cost_0_0 <= lastwinner4_best_cost_0_0;
+        lastwinner5_best_index_0_0 <= lastwinner4_best_index_0_0;
+      end if;
+      if lastwinner5_best_cost_0_1_is_less then
+        lastwinner5_best_cost_0_1 <= lastwinner4_best_cost_0_3;
+        lastwinner5_best_index_0_1 <= lastwinner4_best_index_0_3;
+      else
+        lastwinner5_best_cost_0_1 <= lastwinner4_best_cost_0_2;
+        lastwinner5_best_index_0_1 <= lastwinner4_best_index_0_2;
+      end if;
       -- lastwinner6
-      lastwinner6_best_index_0_0 <= lastwinner5_best_index_0_1 when (lastwinner5_best_cost_0_1 -
-        lastwinner5_best_cost_0_0) < 0 else lastwinner5_best_index_0_0;
       lastwinner6_tag_valid <= lastwinner5_tag_valid;
       lastwinner6_tag_map_column <= lastwinner5_tag_map_column;
       lastwinner6_tag_end_of_line <= lastwinner5_tag_end_of_line;
+      if (lastwinner5_best_cost_0_1 - lastwinner5_best_cost_0_0) < 0 then
+        lastwinner6_best_index_0_0 <= lastwinner5_best_index_0_1;
+      else
+        lastwinner6_best_index_0_0 <= lastwinner5_best_index_0_0;
+      end if;
       -- traceback
       traceback_state_is_equal := traceback_falling = 1;
       traceback_state_sum := traceback_state + 1;
@@ -14110,472 +18223,1149 @@ begin
       traceback_decision_value_2 := (((traceback_state_sum mod 256) / 8) mod 2) = 1;
       traceback_decision_value_3 := (((traceback_state_sum mod 256) / 4) mod 2) = 1;
       traceback_decision_value_4 := (((traceback_state_sum mod 256) / 2) mod 2) = 1;
-      traceback_decision_choice := decisions_ready_decision_63 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_62;
-      traceback_decision_choice_2 := decisions_ready_decision_61 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_60;
-      traceback_decision_choice_3 := traceback_decision_choice when traceback_decision_value_4 else
-        traceback_decision_choice_2;
-      traceback_decision_choice_4 := decisions_ready_decision_59 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_58;
-      traceback_decision_choice_5 := decisions_ready_decision_57 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_56;
-      traceback_decision_choice_6 := traceback_decision_choice_4 when traceback_decision_value_4 else
-        traceback_decision_choice_5;
-      traceback_decision_choice_7 := traceback_decision_choice_3 when traceback_decision_value_3 else
-        traceback_decision_choice_6;
-      traceback_decision_choice_8 := decisions_ready_decision_55 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_54;
-      traceback_decision_choice_9 := decisions_ready_decision_53 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_52;
-      traceback_decision_choice_10 := traceback_decision_choice_8 when traceback_decision_value_4 else
-        traceback_decision_choice_9;
-      traceback_decision_choice_11 := decisions_ready_decision_51 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_50;
-      traceback_decision_choice_12 := decisions_ready_decision_49 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_48;
-      traceback_decision_choice_13 := traceback_decision_choice_11 when traceback_decision_value_4 else
-        traceback_decision_choice_12;
-      traceback_decision_choice_14 := traceback_decision_choice_10 when traceback_decision_value_3 else
-        traceback_decision_choice_13;
-      traceback_decision_choice_15 := traceback_decision_choice_7 when traceback_decision_value_2 else
-        traceback_decision_choice_14;
-      traceback_decision_choice_16 := decisions_ready_decision_47 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_46;
-      traceback_decision_choice_17 := decisions_ready_decision_45 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_44;
-      traceback_decision_choice_18 := traceback_decision_choice_16 when traceback_decision_value_4 else
-        traceback_decision_choice_17;
-      traceback_decision_choice_19 := decisions_ready_decision_43 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_42;
-      traceback_decision_choice_20 := decisions_ready_decision_41 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_40;
-      traceback_decision_choice_21 := traceback_decision_choice_19 when traceback_decision_value_4 else
-        traceback_decision_choice_20;
-      traceback_decision_choice_22 := traceback_decision_choice_18 when traceback_decision_value_3 else
-        traceback_decision_choice_21;
-      traceback_decision_choice_23 := decisions_ready_decision_39 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_38;
-      traceback_decision_choice_24 := decisions_ready_decision_37 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_36;
-      traceback_decision_choice_25 := traceback_decision_choice_23 when traceback_decision_value_4 else
-        traceback_decision_choice_24;
-      traceback_decision_choice_26 := decisions_ready_decision_35 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_34;
-      traceback_decision_choice_27 := decisions_ready_decision_33 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_32;
-      traceback_decision_choice_28 := traceback_decision_choice_26 when traceback_decision_value_4 else
-        traceback_decision_choice_27;
-      traceback_decision_choice_29 := traceback_decision_choice_25 when traceback_decision_value_3 else
-        traceback_decision_choice_28;
-      traceback_decision_choice_30 := traceback_decision_choice_22 when traceback_decision_value_2 else
-        traceback_decision_choice_29;
-      traceback_decision_choice_31 := traceback_decision_choice_15 when traceback_decision_value else
-        traceback_decision_choice_30;
-      traceback_decision_choice_32 := decisions_ready_decision_31 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_30;
-      traceback_decision_choice_33 := decisions_ready_decision_29 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_28;
-      traceback_decision_choice_34 := traceback_decision_choice_32 when traceback_decision_value_4 else
-        traceback_decision_choice_33;
-      traceback_decision_choice_35 := decisions_ready_decision_27 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_26;
-      traceback_decision_choice_36 := decisions_ready_decision_25 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_24;
-      traceback_decision_choice_37 := traceback_decision_choice_35 when traceback_decision_value_4 else
-        traceback_decision_choice_36;
-      traceback_decision_choice_38 := traceback_decision_choice_34 when traceback_decision_value_3 else
-        traceback_decision_choice_37;
-      traceback_decision_choice_39 := decisions_ready_decision_23 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_22;
-      traceback_decision_choice_40 := decisions_ready_decision_21 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_20;
-      traceback_decision_choice_41 := traceback_decision_choice_39 when traceback_decision_value_4 else
-        traceback_decision_choice_40;
-      traceback_decision_choice_42 := decisions_ready_decision_19 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_18;
-      traceback_decision_choice_43 := decisions_ready_decision_17 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_16;
-      traceback_decision_choice_44 := traceback_decision_choice_42 when traceback_decision_value_4 else
-        traceback_decision_choice_43;
-      traceback_decision_choice_45 := traceback_decision_choice_41 when traceback_decision_value_3 else
-        traceback_decision_choice_44;
-      traceback_decision_choice_46 := traceback_decision_choice_38 when traceback_decision_value_2 else
-        traceback_decision_choice_45;
-      traceback_decision_choice_47 := decisions_ready_decision_15 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_14;
-      traceback_decision_choice_48 := decisions_ready_decision_13 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_12;
-      traceback_decision_choice_49 := traceback_decision_choice_47 when traceback_decision_value_4 else
-        traceback_decision_choice_48;
-      traceback_decision_choice_50 := decisions_ready_decision_11 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_10;
-      traceback_decision_choice_51 := decisions_ready_decision_9 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_8;
-      traceback_decision_choice_52 := traceback_decision_choice_50 when traceback_decision_value_4 else
-        traceback_decision_choice_51;
-      traceback_decision_choice_53 := traceback_decision_choice_49 when traceback_decision_value_3 else
-        traceback_decision_choice_52;
-      traceback_decision_choice_54 := decisions_ready_decision_7 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_6;
-      traceback_decision_choice_55 := decisions_ready_decision_5 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_4;
-      traceback_decision_choice_56 := traceback_decision_choice_54 when traceback_decision_value_4 else
-        traceback_decision_choice_55;
-      traceback_decision_choice_57 := decisions_ready_decision_3 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_2;
-      traceback_decision_choice_58 := decisions_ready_decision_1 when (traceback_state_sum mod 2) = 1 else
-        decisions_ready_decision_0;
-      traceback_decision_choice_59 := traceback_decision_choice_57 when traceback_decision_value_4 else
-        traceback_decision_choice_58;
-      traceback_decision_choice_60 := traceback_decision_choice_56 when traceback_decision_value_3 else
-        traceback_decision_choice_59;
-      traceback_decision_choice_61 := traceback_decision_choice_53 when traceback_decision_value_2 else
-        traceback_decision_choice_60;
-      traceback_decision_choice_62 := traceback_decision_choice_46 when traceback_decision_value else
-        traceback_decision_choice_61;
-      traceback_decision_choice_63 := traceback_decision_choice_31 when (((traceback_state_sum mod 256) / 32) mod 2) =
-        1 else traceback_decision_choice_62;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice := decisions_ready_decision_63;
+      else
+        traceback_decision_choice := decisions_ready_decision_62;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_2 := decisions_ready_decision_61;
+      else
+        traceback_decision_choice_2 := decisions_ready_decision_60;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_3 := traceback_decision_choice;
+      else
+        traceback_decision_choice_3 := traceback_decision_choice_2;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_4 := decisions_ready_decision_59;
+      else
+        traceback_decision_choice_4 := decisions_ready_decision_58;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_5 := decisions_ready_decision_57;
+      else
+        traceback_decision_choice_5 := decisions_ready_decision_56;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_6 := traceback_decision_choice_4;
+      else
+        traceback_decision_choice_6 := traceback_decision_choice_5;
+      end if;
+      if traceback_decision_value_3 then
+        traceback_decision_choice_7 := traceback_decision_choice_3;
+      else
+        traceback_decision_choice_7 := traceback_decision_choice_6;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_8 := decisions_ready_decision_55;
+      else
+        traceback_decision_choice_8 := decisions_ready_decision_54;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_9 := decisions_ready_decision_53;
+      else
+        traceback_decision_choice_9 := decisions_ready_decision_52;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_10 := traceback_decision_choice_8;
+      else
+        traceback_decision_choice_10 := traceback_decision_choice_9;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_11 := decisions_ready_decision_51;
+      else
+        traceback_decision_choice_11 := decisions_ready_decision_50;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_12 := decisions_ready_decision_49;
+      else
+        traceback_decision_choice_12 := decisions_ready_decision_48;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_13 := traceback_decision_choice_11;
+      else
+        traceback_decision_choice_13 := traceback_decision_choice_12;
+      end if;
+      if traceback_decision_value_3 then
+        traceback_decision_choice_14 := traceback_decision_choice_10;
+      else
+        traceback_decision_choice_14 := traceback_decision_choice_13;
+      end if;
+      if traceback_decision_value_2 then
+        traceback_decision_choice_15 := traceback_decision_choice_7;
+      else
+        traceback_decision_choice_15 := traceback_decision_choice_14;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_16 := decisions_ready_decision_47;
+      else
+        traceback_decision_choice_16 := decisions_ready_decision_46;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_17 := decisions_ready_decision_45;
+      else
+        traceback_decision_choice_17 := decisions_ready_decision_44;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_18 := traceback_decision_choice_16;
+      else
+        traceback_decision_choice_18 := traceback_decision_choice_17;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_19 := decisions_ready_decision_43;
+      else
+        traceback_decision_choice_19 := decisions_ready_decision_42;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_20 := decisions_ready_decision_41;
+      else
+        traceback_decision_choice_20 := decisions_ready_decision_40;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_21 := traceback_decision_choice_19;
+      else
+        traceback_decision_choice_21 := traceback_decision_choice_20;
+      end if;
+      if traceback_decision_value_3 then
+        traceback_decision_choice_22 := traceback_decision_choice_18;
+      else
+        traceback_decision_choice_22 := traceback_decision_choice_21;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_23 := decisions_ready_decision_39;
+      else
+        traceback_decision_choice_23 := decisions_ready_decision_38;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_24 := decisions_ready_decision_37;
+      else
+        traceback_decision_choice_24 := decisions_ready_decision_36;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_25 := traceback_decision_choice_23;
+      else
+        traceback_decision_choice_25 := traceback_decision_choice_24;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_26 := decisions_ready_decision_35;
+      else
+        traceback_decision_choice_26 := decisions_ready_decision_34;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_27 := decisions_ready_decision_33;
+      else
+        traceback_decision_choice_27 := decisions_ready_decision_32;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_28 := traceback_decision_choice_26;
+      else
+        traceback_decision_choice_28 := traceback_decision_choice_27;
+      end if;
+      if traceback_decision_value_3 then
+        traceback_decision_choice_29 := traceback_decision_choice_25;
+      else
+        traceback_decision_choice_29 := traceback_decision_choice_28;
+      end if;
+      if traceback_decision_value_2 then
+        traceback_decision_choice_30 := traceback_decision_choice_22;
+      else
+        traceback_decision_choice_30 := traceback_decision_choice_29;
+      end if;
+      if traceback_decision_value then
+        traceback_decision_choice_31 := traceback_decision_choice_15;
+      else
+        traceback_decision_choice_31 := traceback_decision_choice_30;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_32 := decisions_ready_decision_31;
+      else
+        traceback_decision_choice_32 := decisions_ready_decision_30;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_33 := decisions_ready_decision_29;
+      else
+        traceback_decision_choice_33 := decisions_ready_decision_28;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_34 := traceback_decision_choice_32;
+      else
+        traceback_decision_choice_34 := traceback_decision_choice_33;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_35 := decisions_ready_decision_27;
+      else
+        traceback_decision_choice_35 := decisions_ready_decision_26;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_36 := decisions_ready_decision_25;
+      else
+        traceback_decision_choice_36 := decisions_ready_decision_24;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_37 := traceback_decision_choice_35;
+      else
+        traceback_decision_choice_37 := traceback_decision_choice_36;
+      end if;
+      if traceback_decision_value_3 then
+        traceback_decision_choice_38 := traceback_decision_choice_34;
+      else
+        traceback_decision_choice_38 := traceback_decision_choice_37;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_39 := decisions_ready_decision_23;
+      else
+        traceback_decision_choice_39 := decisions_ready_decision_22;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_40 := decisions_ready_decision_21;
+      else
+        traceback_decision_choice_40 := decisions_ready_decision_20;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_41 := traceback_decision_choice_39;
+      else
+        traceback_decision_choice_41 := traceback_decision_choice_40;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_42 := decisions_ready_decision_19;
+      else
+        traceback_decision_choice_42 := decisions_ready_decision_18;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_43 := decisions_ready_decision_17;
+      else
+        traceback_decision_choice_43 := decisions_ready_decision_16;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_44 := traceback_decision_choice_42;
+      else
+        traceback_decision_choice_44 := traceback_decision_choice_43;
+      end if;
+      if traceback_decision_value_3 then
+        traceback_decision_choice_45 := traceback_decision_choice_41;
+      else
+        traceback_decision_choice_45 := traceback_decision_choice_44;
+      end if;
+      if traceback_decision_value_2 then
+        traceback_decision_choice_46 := traceback_decision_choice_38;
+      else
+        traceback_decision_choice_46 := traceback_decision_choice_45;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_47 := decisions_ready_decision_15;
+      else
+        traceback_decision_choice_47 := decisions_ready_decision_14;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_48 := decisions_ready_decision_13;
+      else
+        traceback_decision_choice_48 := decisions_ready_decision_12;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_49 := traceback_decision_choice_47;
+      else
+        traceback_decision_choice_49 := traceback_decision_choice_48;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_50 := decisions_ready_decision_11;
+      else
+        traceback_decision_choice_50 := decisions_ready_decision_10;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_51 := decisions_ready_decision_9;
+      else
+        traceback_decision_choice_51 := decisions_ready_decision_8;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_52 := traceback_decision_choice_50;
+      else
+        traceback_decision_choice_52 := traceback_decision_choice_51;
+      end if;
+      if traceback_decision_value_3 then
+        traceback_decision_choice_53 := traceback_decision_choice_49;
+      else
+        traceback_decision_choice_53 := traceback_decision_choice_52;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_54 := decisions_ready_decision_7;
+      else
+        traceback_decision_choice_54 := decisions_ready_decision_6;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_55 := decisions_ready_decision_5;
+      else
+        traceback_decision_choice_55 := decisions_ready_decision_4;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_56 := traceback_decision_choice_54;
+      else
+        traceback_decision_choice_56 := traceback_decision_choice_55;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_57 := decisions_ready_decision_3;
+      else
+        traceback_decision_choice_57 := decisions_ready_decision_2;
+      end if;
+      if (traceback_state_sum mod 2) = 1 then
+        traceback_decision_choice_58 := decisions_ready_decision_1;
+      else
+        traceback_decision_choice_58 := decisions_ready_decision_0;
+      end if;
+      if traceback_decision_value_4 then
+        traceback_decision_choice_59 := traceback_decision_choice_57;
+      else
+        traceback_decision_choice_59 := traceback_decision_choice_58;
+      end if;
+      if traceback_decision_value_3 then
+        traceback_decision_choice_60 := traceback_decision_choice_56;
+      else
+        traceback_decision_choice_60 := traceback_decision_choice_59;
+      end if;
+      if traceback_decision_value_2 then
+        traceback_decision_choice_61 := traceback_decision_choice_53;
+      else
+        traceback_decision_choice_61 := traceback_decision_choice_60;
+      end if;
+      if traceback_decision_value then
+        traceback_decision_choice_62 := traceback_decision_choice_46;
+      else
+        traceback_decision_choice_62 := traceback_decision_choice_61;
+      end if;
+      if (((traceback_state_sum mod 256) / 32) mod 2) = 1 then
+        traceback_decision_choice_63 := traceback_decision_choice_31;
+      else
+        traceback_decision_choice_63 := traceback_decision_choice_62;
+      end if;
       traceback_decision_value_5 := (((traceback_state_sum_2 mod 128) / 8) mod 2) = 1;
       traceback_decision_value_6 := (((traceback_state_sum_2 mod 128) / 4) mod 2) = 1;
       traceback_decision_value_7 := (((traceback_state_sum_2 mod 128) / 2) mod 2) = 1;
-      traceback_decision_choice_64 := decisions_ready_decision_63 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_62;
-      traceback_decision_choice_65 := decisions_ready_decision_61 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_60;
-      traceback_decision_choice_66 := traceback_decision_choice_64 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_65;
-      traceback_decision_choice_67 := decisions_ready_decision_59 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_58;
-      traceback_decision_choice_68 := decisions_ready_decision_57 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_56;
-      traceback_decision_choice_69 := traceback_decision_choice_67 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_68;
-      traceback_decision_choice_70 := traceback_decision_choice_66 when traceback_decision_value_7 else
-        traceback_decision_choice_69;
-      traceback_decision_choice_71 := decisions_ready_decision_55 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_54;
-      traceback_decision_choice_72 := decisions_ready_decision_53 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_52;
-      traceback_decision_choice_73 := traceback_decision_choice_71 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_72;
-      traceback_decision_choice_74 := decisions_ready_decision_51 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_50;
-      traceback_decision_choice_75 := decisions_ready_decision_49 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_48;
-      traceback_decision_choice_76 := traceback_decision_choice_74 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_75;
-      traceback_decision_choice_77 := traceback_decision_choice_73 when traceback_decision_value_7 else
-        traceback_decision_choice_76;
-      traceback_decision_choice_78 := traceback_decision_choice_70 when traceback_decision_value_6 else
-        traceback_decision_choice_77;
-      traceback_decision_choice_79 := decisions_ready_decision_47 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_46;
-      traceback_decision_choice_80 := decisions_ready_decision_45 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_44;
-      traceback_decision_choice_81 := traceback_decision_choice_79 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_80;
-      traceback_decision_choice_82 := decisions_ready_decision_43 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_42;
-      traceback_decision_choice_83 := decisions_ready_decision_41 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_40;
-      traceback_decision_choice_84 := traceback_decision_choice_82 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_83;
-      traceback_decision_choice_85 := traceback_decision_choice_81 when traceback_decision_value_7 else
-        traceback_decision_choice_84;
-      traceback_decision_choice_86 := decisions_ready_decision_39 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_38;
-      traceback_decision_choice_87 := decisions_ready_decision_37 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_36;
-      traceback_decision_choice_88 := traceback_decision_choice_86 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_87;
-      traceback_decision_choice_89 := decisions_ready_decision_35 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_34;
-      traceback_decision_choice_90 := decisions_ready_decision_33 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_32;
-      traceback_decision_choice_91 := traceback_decision_choice_89 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_90;
-      traceback_decision_choice_92 := traceback_decision_choice_88 when traceback_decision_value_7 else
-        traceback_decision_choice_91;
-      traceback_decision_choice_93 := traceback_decision_choice_85 when traceback_decision_value_6 else
-        traceback_decision_choice_92;
-      traceback_decision_choice_94 := traceback_decision_choice_78 when traceback_decision_value_5 else
-        traceback_decision_choice_93;
-      traceback_decision_choice_95 := decisions_ready_decision_31 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_30;
-      traceback_decision_choice_96 := decisions_ready_decision_29 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_28;
-      traceback_decision_choice_97 := traceback_decision_choice_95 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_96;
-      traceback_decision_choice_98 := decisions_ready_decision_27 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_26;
-      traceback_decision_choice_99 := decisions_ready_decision_25 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_24;
-      traceback_decision_choice_100 := traceback_decision_choice_98 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_99;
-      traceback_decision_choice_101 := traceback_decision_choice_97 when traceback_decision_value_7 else
-        traceback_decision_choice_100;
-      traceback_decision_choice_102 := decisions_ready_decision_23 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_22;
-      traceback_decision_choice_103 := decisions_ready_decision_21 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_20;
-      traceback_decision_choice_104 := traceback_decision_choice_102 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_103;
-      traceback_decision_choice_105 := decisions_ready_decision_19 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_18;
-      traceback_decision_choice_106 := decisions_ready_decision_17 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_16;
-      traceback_decision_choice_107 := traceback_decision_choice_105 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_106;
-      traceback_decision_choice_108 := traceback_decision_choice_104 when traceback_decision_value_7 else
-        traceback_decision_choice_107;
-      traceback_decision_choice_109 := traceback_decision_choice_101 when traceback_decision_value_6 else
-        traceback_decision_choice_108;
-      traceback_decision_choice_110 := decisions_ready_decision_15 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_14;
-      traceback_decision_choice_111 := decisions_ready_decision_13 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_12;
-      traceback_decision_choice_112 := traceback_decision_choice_110 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_111;
-      traceback_decision_choice_113 := decisions_ready_decision_11 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_10;
-      traceback_decision_choice_114 := decisions_ready_decision_9 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_8;
-      traceback_decision_choice_115 := traceback_decision_choice_113 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_114;
-      traceback_decision_choice_116 := traceback_decision_choice_112 when traceback_decision_value_7 else
-        traceback_decision_choice_115;
-      traceback_decision_choice_117 := decisions_ready_decision_7 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_6;
-      traceback_decision_choice_118 := decisions_ready_decision_5 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_4;
-      traceback_decision_choice_119 := traceback_decision_choice_117 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_118;
-      traceback_decision_choice_120 := decisions_ready_decision_3 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_2;
-      traceback_decision_choice_121 := decisions_ready_decision_1 when (traceback_state mod 2) = 1 else
-        decisions_ready_decision_0;
-      traceback_decision_choice_122 := traceback_decision_choice_120 when (traceback_state_sum_2 mod 2) = 1 else
-        traceback_decision_choice_121;
-      traceback_decision_choice_123 := traceback_decision_choice_119 when traceback_decision_value_7 else
-        traceback_decision_choice_122;
-      traceback_decision_choice_124 := traceback_decision_choice_116 when traceback_decision_value_6 else
-        traceback_decision_choice_123;
-      traceback_decision_choice_125 := traceback_decision_choice_109 when traceback_decision_value_5 else
-        traceback_decision_choice_124;
-      traceback_decision_choice_126 := traceback_decision_choice_94 when (((traceback_state_sum_2 mod 128) / 16) mod 2)
-        = 1 else traceback_decision_choice_125;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_64 := decisions_ready_decision_63;
+      else
+        traceback_decision_choice_64 := decisions_ready_decision_62;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_65 := decisions_ready_decision_61;
+      else
+        traceback_decision_choice_65 := decisions_ready_decision_60;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_66 := traceback_decision_choice_64;
+      else
+        traceback_decision_choice_66 := traceback_decision_choice_65;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_67 := decisions_ready_decision_59;
+      else
+        traceback_decision_choice_67 := decisions_ready_decision_58;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_68 := decisions_ready_decision_57;
+      else
+        traceback_decision_choice_68 := decisions_ready_decision_56;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_69 := traceback_decision_choice_67;
+      else
+        traceback_decision_choice_69 := traceback_decision_choice_68;
+      end if;
+      if traceback_decision_value_7 then
+        traceback_decision_choice_70 := traceback_decision_choice_66;
+      else
+        traceback_decision_choice_70 := traceback_decision_choice_69;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_71 := decisions_ready_decision_55;
+      else
+        traceback_decision_choice_71 := decisions_ready_decision_54;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_72 := decisions_ready_decision_53;
+      else
+        traceback_decision_choice_72 := decisions_ready_decision_52;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_73 := traceback_decision_choice_71;
+      else
+        traceback_decision_choice_73 := traceback_decision_choice_72;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_74 := decisions_ready_decision_51;
+      else
+        traceback_decision_choice_74 := decisions_ready_decision_50;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_75 := decisions_ready_decision_49;
+      else
+        traceback_decision_choice_75 := decisions_ready_decision_48;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_76 := traceback_decision_choice_74;
+      else
+        traceback_decision_choice_76 := traceback_decision_choice_75;
+      end if;
+      if traceback_decision_value_7 then
+        traceback_decision_choice_77 := traceback_decision_choice_73;
+      else
+        traceback_decision_choice_77 := traceback_decision_choice_76;
+      end if;
+      if traceback_decision_value_6 then
+        traceback_decision_choice_78 := traceback_decision_choice_70;
+      else
+        traceback_decision_choice_78 := traceback_decision_choice_77;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_79 := decisions_ready_decision_47;
+      else
+        traceback_decision_choice_79 := decisions_ready_decision_46;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_80 := decisions_ready_decision_45;
+      else
+        traceback_decision_choice_80 := decisions_ready_decision_44;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_81 := traceback_decision_choice_79;
+      else
+        traceback_decision_choice_81 := traceback_decision_choice_80;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_82 := decisions_ready_decision_43;
+      else
+        traceback_decision_choice_82 := decisions_ready_decision_42;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_83 := decisions_ready_decision_41;
+      else
+        traceback_decision_choice_83 := decisions_ready_decision_40;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_84 := traceback_decision_choice_82;
+      else
+        traceback_decision_choice_84 := traceback_decision_choice_83;
+      end if;
+      if traceback_decision_value_7 then
+        traceback_decision_choice_85 := traceback_decision_choice_81;
+      else
+        traceback_decision_choice_85 := traceback_decision_choice_84;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_86 := decisions_ready_decision_39;
+      else
+        traceback_decision_choice_86 := decisions_ready_decision_38;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_87 := decisions_ready_decision_37;
+      else
+        traceback_decision_choice_87 := decisions_ready_decision_36;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_88 := traceback_decision_choice_86;
+      else
+        traceback_decision_choice_88 := traceback_decision_choice_87;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_89 := decisions_ready_decision_35;
+      else
+        traceback_decision_choice_89 := decisions_ready_decision_34;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_90 := decisions_ready_decision_33;
+      else
+        traceback_decision_choice_90 := decisions_ready_decision_32;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_91 := traceback_decision_choice_89;
+      else
+        traceback_decision_choice_91 := traceback_decision_choice_90;
+      end if;
+      if traceback_decision_value_7 then
+        traceback_decision_choice_92 := traceback_decision_choice_88;
+      else
+        traceback_decision_choice_92 := traceback_decision_choice_91;
+      end if;
+      if traceback_decision_value_6 then
+        traceback_decision_choice_93 := traceback_decision_choice_85;
+      else
+        traceback_decision_choice_93 := traceback_decision_choice_92;
+      end if;
+      if traceback_decision_value_5 then
+        traceback_decision_choice_94 := traceback_decision_choice_78;
+      else
+        traceback_decision_choice_94 := traceback_decision_choice_93;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_95 := decisions_ready_decision_31;
+      else
+        traceback_decision_choice_95 := decisions_ready_decision_30;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_96 := decisions_ready_decision_29;
+      else
+        traceback_decision_choice_96 := decisions_ready_decision_28;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_97 := traceback_decision_choice_95;
+      else
+        traceback_decision_choice_97 := traceback_decision_choice_96;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_98 := decisions_ready_decision_27;
+      else
+        traceback_decision_choice_98 := decisions_ready_decision_26;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_99 := decisions_ready_decision_25;
+      else
+        traceback_decision_choice_99 := decisions_ready_decision_24;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_100 := traceback_decision_choice_98;
+      else
+        traceback_decision_choice_100 := traceback_decision_choice_99;
+      end if;
+      if traceback_decision_value_7 then
+        traceback_decision_choice_101 := traceback_decision_choice_97;
+      else
+        traceback_decision_choice_101 := traceback_decision_choice_100;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_102 := decisions_ready_decision_23;
+      else
+        traceback_decision_choice_102 := decisions_ready_decision_22;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_103 := decisions_ready_decision_21;
+      else
+        traceback_decision_choice_103 := decisions_ready_decision_20;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_104 := traceback_decision_choice_102;
+      else
+        traceback_decision_choice_104 := traceback_decision_choice_103;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_105 := decisions_ready_decision_19;
+      else
+        traceback_decision_choice_105 := decisions_ready_decision_18;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_106 := decisions_ready_decision_17;
+      else
+        traceback_decision_choice_106 := decisions_ready_decision_16;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_107 := traceback_decision_choice_105;
+      else
+        traceback_decision_choice_107 := traceback_decision_choice_106;
+      end if;
+      if traceback_decision_value_7 then
+        traceback_decision_choice_108 := traceback_decision_choice_104;
+      else
+        traceback_decision_choice_108 := traceback_decision_choice_107;
+      end if;
+      if traceback_decision_value_6 then
+        traceback_decision_choice_109 := traceback_decision_choice_101;
+      else
+        traceback_decision_choice_109 := traceback_decision_choice_108;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_110 := decisions_ready_decision_15;
+      else
+        traceback_decision_choice_110 := decisions_ready_decision_14;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_111 := decisions_ready_decision_13;
+      else
+        traceback_decision_choice_111 := decisions_ready_decision_12;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_112 := traceback_decision_choice_110;
+      else
+        traceback_decision_choice_112 := traceback_decision_choice_111;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_113 := decisions_ready_decision_11;
+      else
+        traceback_decision_choice_113 := decisions_ready_decision_10;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_114 := decisions_ready_decision_9;
+      else
+        traceback_decision_choice_114 := decisions_ready_decision_8;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_115 := traceback_decision_choice_113;
+      else
+        traceback_decision_choice_115 := traceback_decision_choice_114;
+      end if;
+      if traceback_decision_value_7 then
+        traceback_decision_choice_116 := traceback_decision_choice_112;
+      else
+        traceback_decision_choice_116 := traceback_decision_choice_115;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_117 := decisions_ready_decision_7;
+      else
+        traceback_decision_choice_117 := decisions_ready_decision_6;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_118 := decisions_ready_decision_5;
+      else
+        traceback_decision_choice_118 := decisions_ready_decision_4;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_119 := traceback_decision_choice_117;
+      else
+        traceback_decision_choice_119 := traceback_decision_choice_118;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_120 := decisions_ready_decision_3;
+      else
+        traceback_decision_choice_120 := decisions_ready_decision_2;
+      end if;
+      if (traceback_state mod 2) = 1 then
+        traceback_decision_choice_121 := decisions_ready_decision_1;
+      else
+        traceback_decision_choice_121 := decisions_ready_decision_0;
+      end if;
+      if (traceback_state_sum_2 mod 2) = 1 then
+        traceback_decision_choice_122 := traceback_decision_choice_120;
+      else
+        traceback_decision_choice_122 := traceback_decision_choice_121;
+      end if;
+      if traceback_decision_value_7 then
+        traceback_decision_choice_123 := traceback_decision_choice_119;
+      else
+        traceback_decision_choice_123 := traceback_decision_choice_122;
+      end if;
+      if traceback_decision_value_6 then
+        traceback_decision_choice_124 := traceback_decision_choice_116;
+      else
+        traceback_decision_choice_124 := traceback_decision_choice_123;
+      end if;
+      if traceback_decision_value_5 then
+        traceback_decision_choice_125 := traceback_decision_choice_109;
+      else
+        traceback_decision_choice_125 := traceback_decision_choice_124;
+      end if;
+      if (((traceback_state_sum_2 mod 128) / 16) mod 2) = 1 then
+        traceback_decision_choice_126 := traceback_decision_choice_94;
+      else
+        traceback_decision_choice_126 := traceback_decision_choice_125;
+      end if;
       traceback_decision_value_8 := (((traceback_state_sum_3 mod 256) / 16) mod 2) = 1;
       traceback_decision_value_9 := (((traceback_state_sum_3 mod 256) / 8) mod 2) = 1;
       traceback_decision_value_10 := (((traceback_state_sum_3 mod 256) / 4) mod 2) = 1;
       traceback_decision_value_11 := (((traceback_state_sum_3 mod 256) / 2) mod 2) = 1;
-      traceback_decision_choice_127 := decisions_ready_decision_63 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_62;
-      traceback_decision_choice_128 := decisions_ready_decision_61 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_60;
-      traceback_decision_choice_129 := traceback_decision_choice_127 when traceback_decision_value_11 else
-        traceback_decision_choice_128;
-      traceback_decision_choice_130 := decisions_ready_decision_59 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_58;
-      traceback_decision_choice_131 := decisions_ready_decision_57 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_56;
-      traceback_decision_choice_132 := traceback_decision_choice_130 when traceback_decision_value_11 else
-        traceback_decision_choice_131;
-      traceback_decision_choice_133 := traceback_decision_choice_129 when traceback_decision_value_10 else
-        traceback_decision_choice_132;
-      traceback_decision_choice_134 := decisions_ready_decision_55 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_54;
-      traceback_decision_choice_135 := decisions_ready_decision_53 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_52;
-      traceback_decision_choice_136 := traceback_decision_choice_134 when traceback_decision_value_11 else
-        traceback_decision_choice_135;
-      traceback_decision_choice_137 := decisions_ready_decision_51 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_50;
-      traceback_decision_choice_138 := decisions_ready_decision_49 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_48;
-      traceback_decision_choice_139 := traceback_decision_choice_137 when traceback_decision_value_11 else
-        traceback_decision_choice_138;
-      traceback_decision_choice_140 := traceback_decision_choice_136 when traceback_decision_value_10 else
-        traceback_decision_choice_139;
-      traceback_decision_choice_141 := traceback_decision_choice_133 when traceback_decision_value_9 else
-        traceback_decision_choice_140;
-      traceback_decision_choice_142 := decisions_ready_decision_47 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_46;
-      traceback_decision_choice_143 := decisions_ready_decision_45 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_44;
-      traceback_decision_choice_144 := traceback_decision_choice_142 when traceback_decision_value_11 else
-        traceback_decision_choice_143;
-      traceback_decision_choice_145 := decisions_ready_decision_43 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_42;
-      traceback_decision_choice_146 := decisions_ready_decision_41 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_40;
-      traceback_decision_choice_147 := traceback_decision_choice_145 when traceback_decision_value_11 else
-        traceback_decision_choice_146;
-      traceback_decision_choice_148 := traceback_decision_choice_144 when traceback_decision_value_10 else
-        traceback_decision_choice_147;
-      traceback_decision_choice_149 := decisions_ready_decision_39 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_38;
-      traceback_decision_choice_150 := decisions_ready_decision_37 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_36;
-      traceback_decision_choice_151 := traceback_decision_choice_149 when traceback_decision_value_11 else
-        traceback_decision_choice_150;
-      traceback_decision_choice_152 := decisions_ready_decision_35 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_34;
-      traceback_decision_choice_153 := decisions_ready_decision_33 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_32;
-      traceback_decision_choice_154 := traceback_decision_choice_152 when traceback_decision_value_11 else
-        traceback_decision_choice_153;
-      traceback_decision_choice_155 := traceback_decision_choice_151 when traceback_decision_value_10 else
-        traceback_decision_choice_154;
-      traceback_decision_choice_156 := traceback_decision_choice_148 when traceback_decision_value_9 else
-        traceback_decision_choice_155;
-      traceback_decision_choice_157 := traceback_decision_choice_141 when traceback_decision_value_8 else
-        traceback_decision_choice_156;
-      traceback_decision_choice_158 := decisions_ready_decision_31 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_30;
-      traceback_decision_choice_159 := decisions_ready_decision_29 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_28;
-      traceback_decision_choice_160 := traceback_decision_choice_158 when traceback_decision_value_11 else
-        traceback_decision_choice_159;
-      traceback_decision_choice_161 := decisions_ready_decision_27 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_26;
-      traceback_decision_choice_162 := decisions_ready_decision_25 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_24;
-      traceback_decision_choice_163 := traceback_decision_choice_161 when traceback_decision_value_11 else
-        traceback_decision_choice_162;
-      traceback_decision_choice_164 := traceback_decision_choice_160 when traceback_decision_value_10 else
-        traceback_decision_choice_163;
-      traceback_decision_choice_165 := decisions_ready_decision_23 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_22;
-      traceback_decision_choice_166 := decisions_ready_decision_21 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_20;
-      traceback_decision_choice_167 := traceback_decision_choice_165 when traceback_decision_value_11 else
-        traceback_decision_choice_166;
-      traceback_decision_choice_168 := decisions_ready_decision_19 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_18;
-      traceback_decision_choice_169 := decisions_ready_decision_17 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_16;
-      traceback_decision_choice_170 := traceback_decision_choice_168 when traceback_decision_value_11 else
-        traceback_decision_choice_169;
-      traceback_decision_choice_171 := traceback_decision_choice_167 when traceback_decision_value_10 else
-        traceback_decision_choice_170;
-      traceback_decision_choice_172 := traceback_decision_choice_164 when traceback_decision_value_9 else
-        traceback_decision_choice_171;
-      traceback_decision_choice_173 := decisions_ready_decision_15 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_14;
-      traceback_decision_choice_174 := decisions_ready_decision_13 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_12;
-      traceback_decision_choice_175 := traceback_decision_choice_173 when traceback_decision_value_11 else
-        traceback_decision_choice_174;
-      traceback_decision_choice_176 := decisions_ready_decision_11 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_10;
-      traceback_decision_choice_177 := decisions_ready_decision_9 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_8;
-      traceback_decision_choice_178 := traceback_decision_choice_176 when traceback_decision_value_11 else
-        traceback_decision_choice_177;
-      traceback_decision_choice_179 := traceback_decision_choice_175 when traceback_decision_value_10 else
-        traceback_decision_choice_178;
-      traceback_decision_choice_180 := decisions_ready_decision_7 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_6;
-      traceback_decision_choice_181 := decisions_ready_decision_5 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_4;
-      traceback_decision_choice_182 := traceback_decision_choice_180 when traceback_decision_value_11 else
-        traceback_decision_choice_181;
-      traceback_decision_choice_183 := decisions_ready_decision_3 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_2;
-      traceback_decision_choice_184 := decisions_ready_decision_1 when (traceback_state_sum_3 mod 2) = 1 else
-        decisions_ready_decision_0;
-      traceback_decision_choice_185 := traceback_decision_choice_183 when traceback_decision_value_11 else
-        traceback_decision_choice_184;
-      traceback_decision_choice_186 := traceback_decision_choice_182 when traceback_decision_value_10 else
-        traceback_decision_choice_185;
-      traceback_decision_choice_187 := traceback_decision_choice_179 when traceback_decision_value_9 else
-        traceback_decision_choice_186;
-      traceback_decision_choice_188 := traceback_decision_choice_172 when traceback_decision_value_8 else
-        traceback_decision_choice_187;
-      traceback_decision_choice_189 := traceback_decision_choice_157 when (((traceback_state_sum_3 mod 256) / 32) mod
-        2) = 1 else traceback_decision_choice_188;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_127 := decisions_ready_decision_63;
+      else
+        traceback_decision_choice_127 := decisions_ready_decision_62;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_128 := decisions_ready_decision_61;
+      else
+        traceback_decision_choice_128 := decisions_ready_decision_60;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_129 := traceback_decision_choice_127;
+      else
+        traceback_decision_choice_129 := traceback_decision_choice_128;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_130 := decisions_ready_decision_59;
+      else
+        traceback_decision_choice_130 := decisions_ready_decision_58;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_131 := decisions_ready_decision_57;
+      else
+        traceback_decision_choice_131 := decisions_ready_decision_56;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_132 := traceback_decision_choice_130;
+      else
+        traceback_decision_choice_132 := traceback_decision_choice_131;
+      end if;
+      if traceback_decision_value_10 then
+        traceback_decision_choice_133 := traceback_decision_choice_129;
+      else
+        traceback_decision_choice_133 := traceback_decision_choice_132;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_134 := decisions_ready_decision_55;
+      else
+        traceback_decision_choice_134 := decisions_ready_decision_54;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_135 := decisions_ready_decision_53;
+      else
+        traceback_decision_choice_135 := decisions_ready_decision_52;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_136 := traceback_decision_choice_134;
+      else
+        traceback_decision_choice_136 := traceback_decision_choice_135;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_137 := decisions_ready_decision_51;
+      else
+        traceback_decision_choice_137 := decisions_ready_decision_50;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_138 := decisions_ready_decision_49;
+      else
+        traceback_decision_choice_138 := decisions_ready_decision_48;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_139 := traceback_decision_choice_137;
+      else
+        traceback_decision_choice_139 := traceback_decision_choice_138;
+      end if;
+      if traceback_decision_value_10 then
+        traceback_decision_choice_140 := traceback_decision_choice_136;
+      else
+        traceback_decision_choice_140 := traceback_decision_choice_139;
+      end if;
+      if traceback_decision_value_9 then
+        traceback_decision_choice_141 := traceback_decision_choice_133;
+      else
+        traceback_decision_choice_141 := traceback_decision_choice_140;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_142 := decisions_ready_decision_47;
+      else
+        traceback_decision_choice_142 := decisions_ready_decision_46;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_143 := decisions_ready_decision_45;
+      else
+        traceback_decision_choice_143 := decisions_ready_decision_44;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_144 := traceback_decision_choice_142;
+      else
+        traceback_decision_choice_144 := traceback_decision_choice_143;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_145 := decisions_ready_decision_43;
+      else
+        traceback_decision_choice_145 := decisions_ready_decision_42;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_146 := decisions_ready_decision_41;
+      else
+        traceback_decision_choice_146 := decisions_ready_decision_40;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_147 := traceback_decision_choice_145;
+      else
+        traceback_decision_choice_147 := traceback_decision_choice_146;
+      end if;
+      if traceback_decision_value_10 then
+        traceback_decision_choice_148 := traceback_decision_choice_144;
+      else
+        traceback_decision_choice_148 := traceback_decision_choice_147;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_149 := decisions_ready_decision_39;
+      else
+        traceback_decision_choice_149 := decisions_ready_decision_38;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_150 := decisions_ready_decision_37;
+      else
+        traceback_decision_choice_150 := decisions_ready_decision_36;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_151 := traceback_decision_choice_149;
+      else
+        traceback_decision_choice_151 := traceback_decision_choice_150;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_152 := decisions_ready_decision_35;
+      else
+        traceback_decision_choice_152 := decisions_ready_decision_34;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_153 := decisions_ready_decision_33;
+      else
+        traceback_decision_choice_153 := decisions_ready_decision_32;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_154 := traceback_decision_choice_152;
+      else
+        traceback_decision_choice_154 := traceback_decision_choice_153;
+      end if;
+      if traceback_decision_value_10 then
+        traceback_decision_choice_155 := traceback_decision_choice_151;
+      else
+        traceback_decision_choice_155 := traceback_decision_choice_154;
+      end if;
+      if traceback_decision_value_9 then
+        traceback_decision_choice_156 := traceback_decision_choice_148;
+      else
+        traceback_decision_choice_156 := traceback_decision_choice_155;
+      end if;
+      if traceback_decision_value_8 then
+        traceback_decision_choice_157 := traceback_decision_choice_141;
+      else
+        traceback_decision_choice_157 := traceback_decision_choice_156;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_158 := decisions_ready_decision_31;
+      else
+        traceback_decision_choice_158 := decisions_ready_decision_30;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_159 := decisions_ready_decision_29;
+      else
+        traceback_decision_choice_159 := decisions_ready_decision_28;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_160 := traceback_decision_choice_158;
+      else
+        traceback_decision_choice_160 := traceback_decision_choice_159;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_161 := decisions_ready_decision_27;
+      else
+        traceback_decision_choice_161 := decisions_ready_decision_26;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_162 := decisions_ready_decision_25;
+      else
+        traceback_decision_choice_162 := decisions_ready_decision_24;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_163 := traceback_decision_choice_161;
+      else
+        traceback_decision_choice_163 := traceback_decision_choice_162;
+      end if;
+      if traceback_decision_value_10 then
+        traceback_decision_choice_164 := traceback_decision_choice_160;
+      else
+        traceback_decision_choice_164 := traceback_decision_choice_163;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_165 := decisions_ready_decision_23;
+      else
+        traceback_decision_choice_165 := decisions_ready_decision_22;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_166 := decisions_ready_decision_21;
+      else
+        traceback_decision_choice_166 := decisions_ready_decision_20;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_167 := traceback_decision_choice_165;
+      else
+        traceback_decision_choice_167 := traceback_decision_choice_166;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_168 := decisions_ready_decision_19;
+      else
+        traceback_decision_choice_168 := decisions_ready_decision_18;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_169 := decisions_ready_decision_17;
+      else
+        traceback_decision_choice_169 := decisions_ready_decision_16;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_170 := traceback_decision_choice_168;
+      else
+        traceback_decision_choice_170 := traceback_decision_choice_169;
+      end if;
+      if traceback_decision_value_10 then
+        traceback_decision_choice_171 := traceback_decision_choice_167;
+      else
+        traceback_decision_choice_171 := traceback_decision_choice_170;
+      end if;
+      if traceback_decision_value_9 then
+        traceback_decision_choice_172 := traceback_decision_choice_164;
+      else
+        traceback_decision_choice_172 := traceback_decision_choice_171;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_173 := decisions_ready_decision_15;
+      else
+        traceback_decision_choice_173 := decisions_ready_decision_14;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_174 := decisions_ready_decision_13;
+      else
+        traceback_decision_choice_174 := decisions_ready_decision_12;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_175 := traceback_decision_choice_173;
+      else
+        traceback_decision_choice_175 := traceback_decision_choice_174;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_176 := decisions_ready_decision_11;
+      else
+        traceback_decision_choice_176 := decisions_ready_decision_10;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_177 := decisions_ready_decision_9;
+      else
+        traceback_decision_choice_177 := decisions_ready_decision_8;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_178 := traceback_decision_choice_176;
+      else
+        traceback_decision_choice_178 := traceback_decision_choice_177;
+      end if;
+      if traceback_decision_value_10 then
+        traceback_decision_choice_179 := traceback_decision_choice_175;
+      else
+        traceback_decision_choice_179 := traceback_decision_choice_178;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_180 := decisions_ready_decision_7;
+      else
+        traceback_decision_choice_180 := decisions_ready_decision_6;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_181 := decisions_ready_decision_5;
+      else
+        traceback_decision_choice_181 := decisions_ready_decision_4;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_182 := traceback_decision_choice_180;
+      else
+        traceback_decision_choice_182 := traceback_decision_choice_181;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_183 := decisions_ready_decision_3;
+      else
+        traceback_decision_choice_183 := decisions_ready_decision_2;
+      end if;
+      if (traceback_state_sum_3 mod 2) = 1 then
+        traceback_decision_choice_184 := decisions_ready_decision_1;
+      else
+        traceback_decision_choice_184 := decisions_ready_decision_0;
+      end if;
+      if traceback_decision_value_11 then
+        traceback_decision_choice_185 := traceback_decision_choice_183;
+      else
+        traceback_decision_choice_185 := traceback_decision_choice_184;
+      end if;
+      if traceback_decision_value_10 then
+        traceback_decision_choice_186 := traceback_decision_choice_182;
+      else
+        traceback_decision_choice_186 := traceback_decision_choice_185;
+      end if;
+      if traceback_decision_value_9 then
+        traceback_decision_choice_187 := traceback_decision_choice_179;
+      else
+        traceback_decision_choice_187 := traceback_decision_choice_186;
+      end if;
+      if traceback_decision_value_8 then
+        traceback_decision_choice_188 := traceback_decision_choice_172;
+      else
+        traceback_decision_choice_188 := traceback_decision_choice_187;
+      end if;
+      if (((traceback_state_sum_3 mod 256) / 32) mod 2) = 1 then
+        traceback_decision_choice_189 := traceback_decision_choice_157;
+      else
+        traceback_decision_choice_189 := traceback_decision_choice_188;
+      end if;
       traceback_decision_value_12 := ((traceback_state / 16) mod 2) = 1;
       traceback_decision_value_13 := ((traceback_state / 8) mod 2) = 1;
       traceback_decision_value_14 := ((traceback_state / 4) mod 2) = 1;
       traceback_decision_value_15 := ((traceback_state / 2) mod 2) = 1;
-      traceback_decision_choice_190 := traceback_decision_choice_64 when traceback_decision_value_15 else
-        traceback_decision_choice_65;
-      traceback_decision_choice_191 := traceback_decision_choice_67 when traceback_decision_value_15 else
-        traceback_decision_choice_68;
-      traceback_decision_choice_192 := traceback_decision_choice_190 when traceback_decision_value_14 else
-        traceback_decision_choice_191;
-      traceback_decision_choice_193 := traceback_decision_choice_71 when traceback_decision_value_15 else
-        traceback_decision_choice_72;
-      traceback_decision_choice_194 := traceback_decision_choice_74 when traceback_decision_value_15 else
-        traceback_decision_choice_75;
-      traceback_decision_choice_195 := traceback_decision_choice_193 when traceback_decision_value_14 else
-        traceback_decision_choice_194;
-      traceback_decision_choice_196 := traceback_decision_choice_192 when traceback_decision_value_13 else
-        traceback_decision_choice_195;
-      traceback_decision_choice_197 := traceback_decision_choice_79 when traceback_decision_value_15 else
-        traceback_decision_choice_80;
-      traceback_decision_choice_198 := traceback_decision_choice_82 when traceback_decision_value_15 else
-        traceback_decision_choice_83;
-      traceback_decision_choice_199 := traceback_decision_choice_197 when traceback_decision_value_14 else
-        traceback_decision_choice_198;
-      traceback_decision_choice_200 := traceback_decision_choice_86 when traceback_decision_value_15 else
-        traceback_decision_choice_87;
-      traceback_decision_choice_201 := traceback_decision_choice_89 when traceback_decision_value_15 else
-        traceback_decision_choice_90;
-      traceback_decision_choice_202 := traceback_decision_choice_200 when traceback_decision_value_14 else
-        traceback_decision_choice_201;
-      traceback_decision_choice_203 := traceback_decision_choice_199 when traceback_decision_value_13 else
-        traceback_decision_choice_202;
-      traceback_decision_choice_204 := traceback_decision_choice_196 when traceback_decision_value_12 else
-        traceback_decision_choice_203;
-      traceback_decision_choice_205 := traceback_decision_choice_95 when traceback_decision_value_15 else
-        traceback_decision_choice_96;
-      traceback_decision_choice_206 := traceback_decision_choice_98 when traceback_decision_value_15 else
-        traceback_decision_choice_99;
-      traceback_decision_choice_207 := traceback_decision_choice_205 when traceback_decision_value_14 else
-        traceback_decision_choice_206;
-      traceback_decision_choice_208 := traceback_decision_choice_102 when traceback_decision_value_15 else
-        traceback_decision_choice_103;
-      traceback_decision_choice_209 := traceback_decision_choice_105 when traceback_decision_value_15 else
-        traceback_decision_choice_106;
-      traceback_decision_choice_210 := traceback_decision_choice_208 when traceback_decision_value_14 else
-        traceback_decision_choice_209;
-      traceback_decision_choice_211 := traceback_decision_choice_207 when traceback_decision_value_13 else
-        traceback_decision_choice_210;
-      traceback_decision_choice_212 := traceback_decision_choice_110 when traceback_decision_value_15 else
-        traceback_decision_choice_111;
-      traceback_decision_choice_213 := traceback_decision_choice_113 when traceback_decision_value_15 else
-        traceback_decision_choice_114;
-      traceback_decision_choice_214 := traceback_decision_choice_212 when traceback_decision_value_14 else
-        traceback_decision_choice_213;
-      traceback_decision_choice_215 := traceback_decision_choice_117 when traceback_decision_value_15 else
-        traceback_decision_choice_118;
-      traceback_decision_choice_216 := traceback_decision_choice_120 when traceback_decision_value_15 else
-        traceback_decision_choice_121;
-      traceback_decision_choice_217 := traceback_decision_choice_215 when traceback_decision_value_14 else
-        traceback_decision_choice_216;
-      traceback_decision_choice_218 := traceback_decision_choice_214 when traceback_decision_value_13 else
-        traceback_decision_choice_217;
-      traceback_decision_choice_219 := traceback_decision_choice_211 when traceback_decision_value_12 else
-        traceback_decision_choice_218;
-      traceback_decision_choice_220 := traceback_decision_choice_204 when ((traceback_state / 32) mod 2) = 1 else
-        traceback_decision_choice_219;
-      traceback_decision_choice_221 := traceback_decision_choice_189 when traceback_state_all else
-        traceback_decision_choice_220;
-      traceback_decision_choice_222 := traceback_decision_choice_126 when traceback_state_is_equal_2 else
-        traceback_decision_choice_221;
-      traceback_decision_choice_223 := traceback_decision_choice_63 when traceback_state_is_equal else
-        traceback_decision_choice_222;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_190 := traceback_decision_choice_64;
+      else
+        traceback_decision_choice_190 := traceback_decision_choice_65;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_191 := traceback_decision_choice_67;
+      else
+        traceback_decision_choice_191 := traceback_decision_choice_68;
+      end if;
+      if traceback_decision_value_14 then
+        traceback_decision_choice_192 := traceback_decision_choice_190;
+      else
+        traceback_decision_choice_192 := traceback_decision_choice_191;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_193 := traceback_decision_choice_71;
+      else
+        traceback_decision_choice_193 := traceback_decision_choice_72;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_194 := traceback_decision_choice_74;
+      else
+        traceback_decision_choice_194 := traceback_decision_choice_75;
+      end if;
+      if traceback_decision_value_14 then
+        traceback_decision_choice_195 := traceback_decision_choice_193;
+      else
+        traceback_decision_choice_195 := traceback_decision_choice_194;
+      end if;
+      if traceback_decision_value_13 then
+        traceback_decision_choice_196 := traceback_decision_choice_192;
+      else
+        traceback_decision_choice_196 := traceback_decision_choice_195;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_197 := traceback_decision_choice_79;
+      else
+        traceback_decision_choice_197 := traceback_decision_choice_80;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_198 := traceback_decision_choice_82;
+      else
+        traceback_decision_choice_198 := traceback_decision_choice_83;
+      end if;
+      if traceback_decision_value_14 then
+        traceback_decision_choice_199 := traceback_decision_choice_197;
+      else
+        traceback_decision_choice_199 := traceback_decision_choice_198;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_200 := traceback_decision_choice_86;
+      else
+        traceback_decision_choice_200 := traceback_decision_choice_87;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_201 := traceback_decision_choice_89;
+      else
+        traceback_decision_choice_201 := traceback_decision_choice_90;
+      end if;
+      if traceback_decision_value_14 then
+        traceback_decision_choice_202 := traceback_decision_choice_200;
+      else
+        traceback_decision_choice_202 := traceback_decision_choice_201;
+      end if;
+      if traceback_decision_value_13 then
+        traceback_decision_choice_203 := traceback_decision_choice_199;
+      else
+        traceback_decision_choice_203 := traceback_decision_choice_202;
+      end if;
+      if traceback_decision_value_12 then
+        traceback_decision_choice_204 := traceback_decision_choice_196;
+      else
+        traceback_decision_choice_204 := traceback_decision_choice_203;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_205 := traceback_decision_choice_95;
+      else
+        traceback_decision_choice_205 := traceback_decision_choice_96;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_206 := traceback_decision_choice_98;
+      else
+        traceback_decision_choice_206 := traceback_decision_choice_99;
+      end if;
+      if traceback_decision_value_14 then
+        traceback_decision_choice_207 := traceback_decision_choice_205;
+      else
+        traceback_decision_choice_207 := traceback_decision_choice_206;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_208 := traceback_decision_choice_102;
+      else
+        traceback_decision_choice_208 := traceback_decision_choice_103;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_209 := traceback_decision_choice_105;
+      else
+        traceback_decision_choice_209 := traceback_decision_choice_106;
+      end if;
+      if traceback_decision_value_14 then
+        traceback_decision_choice_210 := traceback_decision_choice_208;
+      else
+        traceback_decision_choice_210 := traceback_decision_choice_209;
+      end if;
+      if traceback_decision_value_13 then
+        traceback_decision_choice_211 := traceback_decision_choice_207;
+      else
+        traceback_decision_choice_211 := traceback_decision_choice_210;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_212 := traceback_decision_choice_110;
+      else
+        traceback_decision_choice_212 := traceback_decision_choice_111;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_213 := traceback_decision_choice_113;
+      else
+        traceback_decision_choice_213 := traceback_decision_choice_114;
+      end if;
+      if traceback_decision_value_14 then
+        traceback_decision_choice_214 := traceback_decision_choice_212;
+      else
+        traceback_decision_choice_214 := traceback_decision_choice_213;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_215 := traceback_decision_choice_117;
+      else
+        traceback_decision_choice_215 := traceback_decision_choice_118;
+      end if;
+      if traceback_decision_value_15 then
+        traceback_decision_choice_216 := traceback_decision_choice_120;
+      else
+        traceback_decision_choice_216 := traceback_decision_choice_121;
+      end if;
+      if traceback_decision_value_14 then
+        traceback_decision_choice_217 := traceback_decision_choice_215;
+      else
+        traceback_decision_choice_217 := traceback_decision_choice_216;
+      end if;
+      if traceback_decision_value_13 then
+        traceback_decision_choice_218 := traceback_decision_choice_214;
+      else
+        traceback_decision_choice_218 := traceback_decision_choice_217;
+      end if;
+      if traceback_decision_value_12 then
+        traceback_decision_choice_219 := traceback_decision_choice_211;
+      else
+        traceback_decision_choice_219 := traceback_decision_choice_218;
+      end if;
+      if ((traceback_state / 32) mod 2) = 1 then
+        traceback_decision_choice_220 := traceback_decision_choice_204;
+      else
+        traceback_decision_choice_220 := traceback_decision_choice_219;
+      end if;
+      if traceback_state_all then
+        traceback_decision_choice_221 := traceback_decision_choice_189;
+      else
+        traceback_decision_choice_221 := traceback_decision_choice_220;
+      end if;
+      if traceback_state_is_equal_2 then
+        traceback_decision_choice_222 := traceback_decision_choice_126;
+      else
+        traceback_decision_choice_222 := traceback_decision_choice_221;
+      end if;
+      if traceback_state_is_equal then
+        traceback_decision_choice_223 := traceback_decision_choice_63;
+      else
+        traceback_decision_choice_223 := traceback_decision_choice_222;
+      end if;
       if entry_tag_valid then
-        traceback_state <= traceback_state_choice_3 when decisions_comes_0 else last_state;
-        traceback_decision <= traceback_decision_choice_223 when decisions_comes_0 else 0;
-        traceback_falling <= traceback_decision when ((((traceback_decision + 255) mod 256) / 2) = 0) and
-          decisions_comes_0 and traceback_state_is_equal_3 else 0;
         traceback_tags_held_0_output_column <= entry_turned_output_column;
         traceback_tags_held_0_start_of_frame <= entry_turned_start_of_frame;
         traceback_tags_held_1_output_column <= traceback_tags_held_0_output_column;
         traceback_tags_held_1_start_of_frame <= traceback_tags_held_0_start_of_frame;
+        if decisions_comes_0 then
+          traceback_state <= traceback_state_choice_3;
+          traceback_decision <= traceback_decision_choice_223;
+        else
+          traceback_state <= last_state;
+          traceback_decision <= 0;
+        end if;
+        if ((((traceback_decision + 255) mod 256) / 2) = 0) and decisions_comes_0 and traceback_state_is_equal_3 then
+          traceback_falling <= traceback_decision;
+        else
+          traceback_falling <= 0;
+        end if;
       end if;
       traceback_out_disparity_0 <= traceback_state;
       traceback_out_passed_0 <= ((traceback_falling / 2) = 1) or ((traceback_falling mod 2) = 1) or (not
@@ -14586,18 +19376,26 @@ begin
       traceback_out_tag_end_of_line <= last_tags_held_1_end_of_line;
       -- turn
       turn_order_address_any := turn_order_inside or (not traceback_out_tag_map_column) or (not last_tag_valid);
-      turn_order_address_choice := 2047 when turn_order_falls else 1;
-      turn_order_address_choice_2 := 0 when turn_order_falls else 309;
+      if turn_order_falls then
+        turn_order_address_choice := 2047;
+      else
+        turn_order_address_choice := 1;
+      end if;
+      if turn_order_falls then
+        turn_order_address_choice_2 := 0;
+      else
+        turn_order_address_choice_2 := 309;
+      end if;
       turn_order_address_any_2 := (not traceback_out_tag_map_column) or (not last_tag_valid);
       if not turn_order_address_any_2 then
-        turn_order_address <= (turn_order_address_choice + turn_order_address) mod 2048 when turn_order_address_any
-          else turn_order_address_choice_2 * 4;
+        if turn_order_address_any then
+          turn_order_address <= (turn_order_address_choice + turn_order_address) mod 2048;
+        else
+          turn_order_address <= turn_order_address_choice_2 * 4;
+        end if;
       end if;
       turn_order_falls_all := (not turn_order_inside) and traceback_out_tag_map_column and last_tag_valid;
       turn_order_complete_all := traceback_out_tag_map_column and last_tag_valid;
-      turn_order_falls <= turn_order_address_any when turn_order_falls else turn_order_falls_all;
-      turn_order_complete <= turn_order_complete or turn_order_complete_all when traceback_out_tag_end_of_line else
-        turn_order_complete and turn_order_address_any_2;
       turn_order_turned_map_column <= traceback_out_tag_map_column;
       turn_order_turned_first_column <= turn_order_falls_all;
       turn_newest <= (as_number(traceback_out_passed_0) * 256) + traceback_out_disparity_0;
@@ -14607,6 +19405,16 @@ begin
       turn_ready <= to_integer(turn_read_words_0);
       turn_ready_tag_map_column <= turn_read_tag_map_column;
       turn_ready_tag_first_column <= turn_read_tag_first_column;
+      if turn_order_falls then
+        turn_order_falls <= turn_order_address_any;
+      else
+        turn_order_falls <= turn_order_falls_all;
+      end if;
+      if traceback_out_tag_end_of_line then
+        turn_order_complete <= turn_order_complete or turn_order_complete_all;
+      else
+        turn_order_complete <= turn_order_complete and turn_order_address_any_2;
+      end if;
       if last_tag_valid then
         turn_order_inside <= traceback_out_tag_map_column;
       end if;
@@ -14619,433 +19427,939 @@ begin
         turn_write_place <= turn_order_address;
       end if;
       -- fill
-      fill_out_disparity_0_choice := 0 when turn_ready_tag_first_column else fill_out_disparity_0;
+      if turn_ready_tag_first_column then
+        fill_out_disparity_0_choice := 0;
+      else
+        fill_out_disparity_0_choice := fill_out_disparity_0;
+      end if;
       fill_out_disparity_0_all := lastwinner3_tag_valid and turn_ready_tag_map_column;
       if fill_out_disparity_0_all then
-        fill_out_disparity_0 <= turn_ready mod 256 when (turn_ready / 256) = 1 else fill_out_disparity_0_choice;
+        if (turn_ready / 256) = 1 then
+          fill_out_disparity_0 <= turn_ready mod 256;
+        else
+          fill_out_disparity_0 <= fill_out_disparity_0_choice;
+        end if;
       end if;
       fill_out_passed_0 <= (turn_ready / 256) = 1;
       fill_out_tag_map_column <= turn_ready_tag_map_column;
       -- map
       map_counter_column_is_equal := map_counter_column = 1236;
       if other_0 then
-        map_counter_column <= 0 when ((other_4 mod 2) = 1) or map_counter_column_is_equal else (map_counter_column + 1)
-          mod 2048;
+        if ((other_4 mod 2) = 1) or map_counter_column_is_equal then
+          map_counter_column <= 0;
+        else
+          map_counter_column <= (map_counter_column + 1) mod 2048;
+        end if;
       end if;
       map_counter_group_is_equal := map_counter_group = 639;
       map_counter_group_all := map_counter_group_is_equal and map_counter_column_is_equal;
-      map_counter_group_choice := 5 when map_counter_group_all else 0;
+      if map_counter_group_all then
+        map_counter_group_choice := 5;
+      else
+        map_counter_group_choice := 0;
+      end if;
       map_counter_group_differs := map_counter_group /= 641;
       map_counter_group_is_equal_2 := map_counter_group = 640;
-      map_counter_group_choice_2 := 1 when map_counter_next_frame and map_counter_group_is_equal_2 else
-        (map_counter_group + 1) mod 1024;
-      map_counter_group_choice_3 := map_counter_group_choice_2 when map_counter_group_differs and other_0 and
-        map_counter_column_is_equal else map_counter_group;
-      map_counter_next_frame_choice := map_counter_next_frame and (map_counter_group /= 640) when
-        map_counter_column_is_equal else map_counter_next_frame;
-      map_counter_next_frame_choice_2 := map_counter_next_frame_choice when map_counter_group_differs else
-        map_counter_next_frame;
-      map_counter_next_frame_choice_3 := other_0 when map_counter_group_all else other_0 and (not ((other_4 mod 2) =
-        1));
-      map_counter_next_frame_choice_4 := map_counter_next_frame_choice_3 when map_counter_next_frame_choice_2 else
-        map_counter_group_is_equal and map_counter_column_is_equal and other_0 and ((other_4 mod 2) = 1);
-      map_line_ended_choice := 255 < other_4 when lastwinner4_tag_valid else map_line_ended;
+      if map_counter_next_frame and map_counter_group_is_equal_2 then
+        map_counter_group_choice_2 := 1;
+      else
+        map_counter_group_choice_2 := (map_counter_group + 1) mod 1024;
+      end if;
+      if map_counter_group_differs and other_0 and map_counter_column_is_equal then
+        map_counter_group_choice_3 := map_counter_group_choice_2;
+      else
+        map_counter_group_choice_3 := map_counter_group;
+      end if;
+      if map_counter_column_is_equal then
+        map_counter_next_frame_choice := map_counter_next_frame and (map_counter_group /= 640);
+      else
+        map_counter_next_frame_choice := map_counter_next_frame;
+      end if;
+      if map_counter_group_differs then
+        map_counter_next_frame_choice_2 := map_counter_next_frame_choice;
+      else
+        map_counter_next_frame_choice_2 := map_counter_next_frame;
+      end if;
+      if map_counter_group_all then
+        map_counter_next_frame_choice_3 := other_0;
+      else
+        map_counter_next_frame_choice_3 := other_0 and (not ((other_4 mod 2) = 1));
+      end if;
+      if map_counter_next_frame_choice_2 then
+        map_counter_next_frame_choice_4 := map_counter_next_frame_choice_3;
+      else
+        map_counter_next_frame_choice_4 := map_counter_group_is_equal and map_counter_column_is_equal and other_0 and
+          ((other_4 mod 2) = 1);
+      end if;
+      if lastwinner4_tag_valid then
+        map_line_ended_choice := 255 < other_4;
+      else
+        map_line_ended_choice := map_line_ended;
+      end if;
       map_at_arrives_value := to_integer(other_1(16 downto 16)) = 1;
       map_of_column_0_b_below_a_value := ((map_column_1 / 4) mod 2) = 1;
-      map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value when map_at_top else ((other_2 / 4) mod 2) =
-        1;
+      if map_at_top then
+        map_of_column_0_b_below_a_choice := map_of_column_0_b_below_a_value;
+      else
+        map_of_column_0_b_below_a_choice := ((other_2 / 4) mod 2) = 1;
+      end if;
       map_of_column_0_b_below_a_value_2 := ((map_column_1 / 2) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_2 when map_at_top else ((other_2 / 2) mod
-        2) = 1;
-      map_of_column_0_b_below_a_choice_3 := (not map_of_column_0_b_below_a_value) or (not
-        map_of_column_0_b_below_a_value_2) when map_of_column_0_b_below_a_choice_2 else not
-        map_of_column_0_b_below_a_value;
-      map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_3 when map_of_column_0_b_below_a_choice
-        else map_of_column_0_b_below_a_choice_2 and (((map_column_1 / 2) mod 4) = 0);
+      if map_at_top then
+        map_of_column_0_b_below_a_choice_2 := map_of_column_0_b_below_a_value_2;
+      else
+        map_of_column_0_b_below_a_choice_2 := ((other_2 / 2) mod 2) = 1;
+      end if;
+      if map_of_column_0_b_below_a_choice_2 then
+        map_of_column_0_b_below_a_choice_3 := (not map_of_column_0_b_below_a_value) or (not
+          map_of_column_0_b_below_a_value_2);
+      else
+        map_of_column_0_b_below_a_choice_3 := not map_of_column_0_b_below_a_value;
+      end if;
+      if map_of_column_0_b_below_a_choice then
+        map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_3;
+      else
+        map_of_column_0_b_below_a_choice_4 := map_of_column_0_b_below_a_choice_2 and (((map_column_1 / 2) mod 4) = 0);
+      end if;
       map_of_column_0_b_below_a_value_3 := ((map_column_1 / 8) mod 2) = 1;
       map_of_column_0_b_below_a_value_4 := ((other_2 / 8) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_5 := map_of_column_0_b_below_a_value_3 and (not
-        map_of_column_0_b_below_a_value_4) and (not map_at_top) when map_of_column_0_b_below_a_choice_4 else
-        map_of_column_0_b_below_a_value_3 or (not map_of_column_0_b_below_a_value_4) or map_at_top;
+      if map_of_column_0_b_below_a_choice_4 then
+        map_of_column_0_b_below_a_choice_5 := map_of_column_0_b_below_a_value_3 and (not
+          map_of_column_0_b_below_a_value_4) and (not map_at_top);
+      else
+        map_of_column_0_b_below_a_choice_5 := map_of_column_0_b_below_a_value_3 or (not
+          map_of_column_0_b_below_a_value_4) or map_at_top;
+      end if;
       map_of_column_0_b_below_a_value_5 := ((map_column_1 / 16) mod 2) = 1;
       map_of_column_0_b_below_a_value_6 := ((other_2 / 16) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_6 := map_of_column_0_b_below_a_value_5 or (not
-        map_of_column_0_b_below_a_value_6) or map_at_top when map_of_column_0_b_below_a_choice_5 else
-        map_of_column_0_b_below_a_value_5 and (not map_of_column_0_b_below_a_value_6) and (not map_at_top);
+      if map_of_column_0_b_below_a_choice_5 then
+        map_of_column_0_b_below_a_choice_6 := map_of_column_0_b_below_a_value_5 or (not
+          map_of_column_0_b_below_a_value_6) or map_at_top;
+      else
+        map_of_column_0_b_below_a_choice_6 := map_of_column_0_b_below_a_value_5 and (not
+          map_of_column_0_b_below_a_value_6) and (not map_at_top);
+      end if;
       map_of_column_0_b_below_a_value_7 := ((map_column_1 / 32) mod 2) = 1;
       map_of_column_0_b_below_a_value_8 := ((other_2 / 32) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_7 := map_of_column_0_b_below_a_value_7 or (not
-        map_of_column_0_b_below_a_value_8) or map_at_top when map_of_column_0_b_below_a_choice_6 else
-        map_of_column_0_b_below_a_value_7 and (not map_of_column_0_b_below_a_value_8) and (not map_at_top);
+      if map_of_column_0_b_below_a_choice_6 then
+        map_of_column_0_b_below_a_choice_7 := map_of_column_0_b_below_a_value_7 or (not
+          map_of_column_0_b_below_a_value_8) or map_at_top;
+      else
+        map_of_column_0_b_below_a_choice_7 := map_of_column_0_b_below_a_value_7 and (not
+          map_of_column_0_b_below_a_value_8) and (not map_at_top);
+      end if;
       map_of_column_0_b_below_a_value_9 := ((map_column_1 / 64) mod 2) = 1;
       map_of_column_0_b_below_a_value_10 := ((other_2 / 64) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_8 := map_of_column_0_b_below_a_value_9 or (not
-        map_of_column_0_b_below_a_value_10) or map_at_top when map_of_column_0_b_below_a_choice_7 else
-        map_of_column_0_b_below_a_value_9 and (not map_of_column_0_b_below_a_value_10) and (not map_at_top);
+      if map_of_column_0_b_below_a_choice_7 then
+        map_of_column_0_b_below_a_choice_8 := map_of_column_0_b_below_a_value_9 or (not
+          map_of_column_0_b_below_a_value_10) or map_at_top;
+      else
+        map_of_column_0_b_below_a_choice_8 := map_of_column_0_b_below_a_value_9 and (not
+          map_of_column_0_b_below_a_value_10) and (not map_at_top);
+      end if;
       map_of_column_0_b_below_a_value_11 := ((map_column_1 / 128) mod 2) = 1;
       map_of_column_0_b_below_a_value_12 := ((other_2 / 128) mod 2) = 1;
-      map_of_column_0_b_below_a_choice_9 := map_of_column_0_b_below_a_value_11 or (not
-        map_of_column_0_b_below_a_value_12) or map_at_top when map_of_column_0_b_below_a_choice_8 else
-        map_of_column_0_b_below_a_value_11 and (not map_of_column_0_b_below_a_value_12) and (not map_at_top);
+      if map_of_column_0_b_below_a_choice_8 then
+        map_of_column_0_b_below_a_choice_9 := map_of_column_0_b_below_a_value_11 or (not
+          map_of_column_0_b_below_a_value_12) or map_at_top;
+      else
+        map_of_column_0_b_below_a_choice_9 := map_of_column_0_b_below_a_value_11 and (not
+          map_of_column_0_b_below_a_value_12) and (not map_at_top);
+      end if;
       map_of_column_0_c_below_a_value := ((map_column_2 / 4) mod 2) = 1;
-      map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value when map_read_bottom else
-        map_of_column_0_c_below_a_value;
+      if map_read_bottom then
+        map_of_column_0_c_below_a_choice := map_of_column_0_b_below_a_value;
+      else
+        map_of_column_0_c_below_a_choice := map_of_column_0_c_below_a_value;
+      end if;
       map_of_column_0_c_below_a_value_2 := ((map_column_2 / 2) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_2 := (not map_of_column_0_b_below_a_value_2) and map_read_bottom when
-        map_of_column_0_c_below_a_value_2 else (not map_of_column_0_b_below_a_value_2) or (not map_read_bottom);
-      map_of_column_0_c_below_a_choice_3 := map_of_column_0_b_below_a_choice_2 and map_of_column_0_c_below_a_choice_2
-        and map_of_column_0_b_below_a_choice when map_of_column_0_c_below_a_choice else
-        (map_of_column_0_b_below_a_choice_2 and map_of_column_0_c_below_a_choice_2) or map_of_column_0_b_below_a_choice;
+      if map_of_column_0_c_below_a_value_2 then
+        map_of_column_0_c_below_a_choice_2 := (not map_of_column_0_b_below_a_value_2) and map_read_bottom;
+      else
+        map_of_column_0_c_below_a_choice_2 := (not map_of_column_0_b_below_a_value_2) or (not map_read_bottom);
+      end if;
+      if map_of_column_0_c_below_a_choice then
+        map_of_column_0_c_below_a_choice_3 := map_of_column_0_b_below_a_choice_2 and map_of_column_0_c_below_a_choice_2
+          and map_of_column_0_b_below_a_choice;
+      else
+        map_of_column_0_c_below_a_choice_3 := (map_of_column_0_b_below_a_choice_2 and
+          map_of_column_0_c_below_a_choice_2) or map_of_column_0_b_below_a_choice;
+      end if;
       map_of_column_0_c_below_a_value_3 := ((map_column_2 / 8) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_4 := map_of_column_0_b_below_a_value_3 when map_read_bottom else
-        map_of_column_0_c_below_a_value_3;
-      map_of_column_0_c_below_a_choice_5 := map_of_column_0_b_below_a_value_3 when map_at_top else
-        map_of_column_0_b_below_a_value_4;
-      map_of_column_0_c_below_a_choice_6 := (not map_of_column_0_c_below_a_choice_4) or
-        map_of_column_0_c_below_a_choice_5 when map_of_column_0_c_below_a_choice_3 else (not
-        map_of_column_0_c_below_a_choice_4) and map_of_column_0_c_below_a_choice_5;
+      if map_read_bottom then
+        map_of_column_0_c_below_a_choice_4 := map_of_column_0_b_below_a_value_3;
+      else
+        map_of_column_0_c_below_a_choice_4 := map_of_column_0_c_below_a_value_3;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_5 := map_of_column_0_b_below_a_value_3;
+      else
+        map_of_column_0_c_below_a_choice_5 := map_of_column_0_b_below_a_value_4;
+      end if;
+      if map_of_column_0_c_below_a_choice_3 then
+        map_of_column_0_c_below_a_choice_6 := (not map_of_column_0_c_below_a_choice_4) or
+          map_of_column_0_c_below_a_choice_5;
+      else
+        map_of_column_0_c_below_a_choice_6 := (not map_of_column_0_c_below_a_choice_4) and
+          map_of_column_0_c_below_a_choice_5;
+      end if;
       map_of_column_0_c_below_a_value_4 := ((map_column_2 / 16) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_7 := map_of_column_0_b_below_a_value_5 when map_read_bottom else
-        map_of_column_0_c_below_a_value_4;
-      map_of_column_0_c_below_a_choice_8 := map_of_column_0_b_below_a_value_5 when map_at_top else
-        map_of_column_0_b_below_a_value_6;
-      map_of_column_0_c_below_a_choice_9 := (not map_of_column_0_c_below_a_choice_7) or
-        map_of_column_0_c_below_a_choice_8 when map_of_column_0_c_below_a_choice_6 else (not
-        map_of_column_0_c_below_a_choice_7) and map_of_column_0_c_below_a_choice_8;
+      if map_read_bottom then
+        map_of_column_0_c_below_a_choice_7 := map_of_column_0_b_below_a_value_5;
+      else
+        map_of_column_0_c_below_a_choice_7 := map_of_column_0_c_below_a_value_4;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_8 := map_of_column_0_b_below_a_value_5;
+      else
+        map_of_column_0_c_below_a_choice_8 := map_of_column_0_b_below_a_value_6;
+      end if;
+      if map_of_column_0_c_below_a_choice_6 then
+        map_of_column_0_c_below_a_choice_9 := (not map_of_column_0_c_below_a_choice_7) or
+          map_of_column_0_c_below_a_choice_8;
+      else
+        map_of_column_0_c_below_a_choice_9 := (not map_of_column_0_c_below_a_choice_7) and
+          map_of_column_0_c_below_a_choice_8;
+      end if;
       map_of_column_0_c_below_a_value_5 := ((map_column_2 / 32) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_10 := map_of_column_0_b_below_a_value_7 when map_read_bottom else
-        map_of_column_0_c_below_a_value_5;
-      map_of_column_0_c_below_a_choice_11 := map_of_column_0_b_below_a_value_7 when map_at_top else
-        map_of_column_0_b_below_a_value_8;
-      map_of_column_0_c_below_a_choice_12 := (not map_of_column_0_c_below_a_choice_10) or
-        map_of_column_0_c_below_a_choice_11 when map_of_column_0_c_below_a_choice_9 else (not
-        map_of_column_0_c_below_a_choice_10) and map_of_column_0_c_below_a_choice_11;
+      if map_read_bottom then
+        map_of_column_0_c_below_a_choice_10 := map_of_column_0_b_below_a_value_7;
+      else
+        map_of_column_0_c_below_a_choice_10 := map_of_column_0_c_below_a_value_5;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_11 := map_of_column_0_b_below_a_value_7;
+      else
+        map_of_column_0_c_below_a_choice_11 := map_of_column_0_b_below_a_value_8;
+      end if;
+      if map_of_column_0_c_below_a_choice_9 then
+        map_of_column_0_c_below_a_choice_12 := (not map_of_column_0_c_below_a_choice_10) or
+          map_of_column_0_c_below_a_choice_11;
+      else
+        map_of_column_0_c_below_a_choice_12 := (not map_of_column_0_c_below_a_choice_10) and
+          map_of_column_0_c_below_a_choice_11;
+      end if;
       map_of_column_0_c_below_a_value_6 := ((map_column_2 / 64) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_13 := map_of_column_0_b_below_a_value_9 when map_read_bottom else
-        map_of_column_0_c_below_a_value_6;
-      map_of_column_0_c_below_a_choice_14 := map_of_column_0_b_below_a_value_9 when map_at_top else
-        map_of_column_0_b_below_a_value_10;
-      map_of_column_0_c_below_a_choice_15 := (not map_of_column_0_c_below_a_choice_13) or
-        map_of_column_0_c_below_a_choice_14 when map_of_column_0_c_below_a_choice_12 else (not
-        map_of_column_0_c_below_a_choice_13) and map_of_column_0_c_below_a_choice_14;
+      if map_read_bottom then
+        map_of_column_0_c_below_a_choice_13 := map_of_column_0_b_below_a_value_9;
+      else
+        map_of_column_0_c_below_a_choice_13 := map_of_column_0_c_below_a_value_6;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_14 := map_of_column_0_b_below_a_value_9;
+      else
+        map_of_column_0_c_below_a_choice_14 := map_of_column_0_b_below_a_value_10;
+      end if;
+      if map_of_column_0_c_below_a_choice_12 then
+        map_of_column_0_c_below_a_choice_15 := (not map_of_column_0_c_below_a_choice_13) or
+          map_of_column_0_c_below_a_choice_14;
+      else
+        map_of_column_0_c_below_a_choice_15 := (not map_of_column_0_c_below_a_choice_13) and
+          map_of_column_0_c_below_a_choice_14;
+      end if;
       map_of_column_0_c_below_a_value_7 := ((map_column_2 / 128) mod 2) = 1;
-      map_of_column_0_c_below_a_choice_16 := map_of_column_0_b_below_a_value_11 when map_read_bottom else
-        map_of_column_0_c_below_a_value_7;
-      map_of_column_0_c_below_a_choice_17 := map_of_column_0_b_below_a_value_11 when map_at_top else
-        map_of_column_0_b_below_a_value_12;
-      map_of_column_0_c_below_a_choice_18 := (not map_of_column_0_c_below_a_choice_16) or
-        map_of_column_0_c_below_a_choice_17 when map_of_column_0_c_below_a_choice_15 else (not
-        map_of_column_0_c_below_a_choice_16) and map_of_column_0_c_below_a_choice_17;
-      map_of_column_0_c_below_a_choice_19 := (map_column_1 / 256) = 1 when map_read_bottom else (map_column_2 / 256) =
-        1;
-      map_of_column_0_c_below_a_choice_20 := (map_column_1 / 256) = 1 when map_at_top else (other_2 / 256) = 1;
-      map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value and (not map_of_column_0_b_below_a_value) and
-        (not map_read_bottom) when (not map_of_column_0_c_below_a_value_2) and map_of_column_0_b_below_a_value_2 and
-        (not map_read_bottom) else map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value) or
-        map_read_bottom;
-      map_of_column_0_c_below_b_choice_2 := map_of_column_0_c_below_a_value_3 or (not
-        map_of_column_0_b_below_a_value_3) or map_read_bottom when map_of_column_0_c_below_b_choice else
-        map_of_column_0_c_below_a_value_3 and (not map_of_column_0_b_below_a_value_3) and (not map_read_bottom);
-      map_of_column_0_c_below_b_choice_3 := map_of_column_0_c_below_a_value_4 or (not
-        map_of_column_0_b_below_a_value_5) or map_read_bottom when map_of_column_0_c_below_b_choice_2 else
-        map_of_column_0_c_below_a_value_4 and (not map_of_column_0_b_below_a_value_5) and (not map_read_bottom);
-      map_of_column_0_c_below_b_choice_4 := map_of_column_0_c_below_a_value_5 or (not
-        map_of_column_0_b_below_a_value_7) or map_read_bottom when map_of_column_0_c_below_b_choice_3 else
-        map_of_column_0_c_below_a_value_5 and (not map_of_column_0_b_below_a_value_7) and (not map_read_bottom);
-      map_of_column_0_c_below_b_choice_5 := map_of_column_0_c_below_a_value_6 or (not
-        map_of_column_0_b_below_a_value_9) or map_read_bottom when map_of_column_0_c_below_b_choice_4 else
-        map_of_column_0_c_below_a_value_6 and (not map_of_column_0_b_below_a_value_9) and (not map_read_bottom);
-      map_of_column_0_c_below_b_choice_6 := map_of_column_0_c_below_a_value_7 or (not
-        map_of_column_0_b_below_a_value_11) or map_read_bottom when map_of_column_0_c_below_b_choice_5 else
-        map_of_column_0_c_below_a_value_7 and (not map_of_column_0_b_below_a_value_11) and (not map_read_bottom);
-      map_sorted_low_0_choice := map_of_column_0_c when map_of_column_0_c_below_b else map_of_column_0_b;
-      map_sorted_low_0_choice_2 := map_of_column_0_c when map_of_column_0_c_below_a else map_of_column_0_a;
-      map_sorted_middle_0_choice := map_of_column_0_b when map_of_column_0_c_below_b else map_sorted_low_0_choice_2;
-      map_sorted_middle_0_choice_2 := map_of_column_0_a when map_of_column_0_c_below_a else map_sorted_low_0_choice;
-      map_sorted_high_0_choice := map_of_column_0_a when map_of_column_0_c_below_a else map_of_column_0_c;
-      map_sorted_high_0_choice_2 := map_of_column_0_b when map_of_column_0_c_below_b else map_of_column_0_c;
+      if map_read_bottom then
+        map_of_column_0_c_below_a_choice_16 := map_of_column_0_b_below_a_value_11;
+      else
+        map_of_column_0_c_below_a_choice_16 := map_of_column_0_c_below_a_value_7;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_17 := map_of_column_0_b_below_a_value_11;
+      else
+        map_of_column_0_c_below_a_choice_17 := map_of_column_0_b_below_a_value_12;
+      end if;
+      if map_of_column_0_c_below_a_choice_15 then
+        map_of_column_0_c_below_a_choice_18 := (not map_of_column_0_c_below_a_choice_16) or
+          map_of_column_0_c_below_a_choice_17;
+      else
+        map_of_column_0_c_below_a_choice_18 := (not map_of_column_0_c_below_a_choice_16) and
+          map_of_column_0_c_below_a_choice_17;
+      end if;
+      if map_read_bottom then
+        map_of_column_0_c_below_a_choice_19 := (map_column_1 / 256) = 1;
+      else
+        map_of_column_0_c_below_a_choice_19 := (map_column_2 / 256) = 1;
+      end if;
+      if map_at_top then
+        map_of_column_0_c_below_a_choice_20 := (map_column_1 / 256) = 1;
+      else
+        map_of_column_0_c_below_a_choice_20 := (other_2 / 256) = 1;
+      end if;
+      if (not map_of_column_0_c_below_a_value_2) and map_of_column_0_b_below_a_value_2 and (not map_read_bottom) then
+        map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value and (not map_of_column_0_b_below_a_value)
+          and (not map_read_bottom);
+      else
+        map_of_column_0_c_below_b_choice := map_of_column_0_c_below_a_value or (not map_of_column_0_b_below_a_value) or
+          map_read_bottom;
+      end if;
+      if map_of_column_0_c_below_b_choice then
+        map_of_column_0_c_below_b_choice_2 := map_of_column_0_c_below_a_value_3 or (not
+          map_of_column_0_b_below_a_value_3) or map_read_bottom;
+      else
+        map_of_column_0_c_below_b_choice_2 := map_of_column_0_c_below_a_value_3 and (not
+          map_of_column_0_b_below_a_value_3) and (not map_read_bottom);
+      end if;
+      if map_of_column_0_c_below_b_choice_2 then
+        map_of_column_0_c_below_b_choice_3 := map_of_column_0_c_below_a_value_4 or (not
+          map_of_column_0_b_below_a_value_5) or map_read_bottom;
+      else
+        map_of_column_0_c_below_b_choice_3 := map_of_column_0_c_below_a_value_4 and (not
+          map_of_column_0_b_below_a_value_5) and (not map_read_bottom);
+      end if;
+      if map_of_column_0_c_below_b_choice_3 then
+        map_of_column_0_c_below_b_choice_4 := map_of_column_0_c_below_a_value_5 or (not
+          map_of_column_0_b_below_a_value_7) or map_read_bottom;
+      else
+        map_of_column_0_c_below_b_choice_4 := map_of_column_0_c_below_a_value_5 and (not
+          map_of_column_0_b_below_a_value_7) and (not map_read_bottom);
+      end if;
+      if map_of_column_0_c_below_b_choice_4 then
+        map_of_column_0_c_below_b_choice_5 := map_of_column_0_c_below_a_value_6 or (not
+          map_of_column_0_b_below_a_value_9) or map_read_bottom;
+      else
+        map_of_column_0_c_below_b_choice_5 := map_of_column_0_c_below_a_value_6 and (not
+          map_of_column_0_b_below_a_value_9) and (not map_read_bottom);
+      end if;
+      if map_of_column_0_c_below_b_choice_5 then
+        map_of_column_0_c_below_b_choice_6 := map_of_column_0_c_below_a_value_7 or (not
+          map_of_column_0_b_below_a_value_11) or map_read_bottom;
+      else
+        map_of_column_0_c_below_b_choice_6 := map_of_column_0_c_below_a_value_7 and (not
+          map_of_column_0_b_below_a_value_11) and (not map_read_bottom);
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_low_0_choice := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice := map_of_column_0_b;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_low_0_choice_2 := map_of_column_0_c;
+      else
+        map_sorted_low_0_choice_2 := map_of_column_0_a;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_middle_0_choice := map_of_column_0_b;
+      else
+        map_sorted_middle_0_choice := map_sorted_low_0_choice_2;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_middle_0_choice_2 := map_of_column_0_a;
+      else
+        map_sorted_middle_0_choice_2 := map_sorted_low_0_choice;
+      end if;
+      if map_of_column_0_c_below_a then
+        map_sorted_high_0_choice := map_of_column_0_a;
+      else
+        map_sorted_high_0_choice := map_of_column_0_c;
+      end if;
+      if map_of_column_0_c_below_b then
+        map_sorted_high_0_choice_2 := map_of_column_0_b;
+      else
+        map_sorted_high_0_choice_2 := map_of_column_0_c;
+      end if;
       map_window_complete_is_equal := map_sorted_column = 0;
-      map_window_complete_choice := map_sorted_behind when map_window_complete_is_equal else map_sorted_arrives or
-        map_sorted_behind;
+      if map_window_complete_is_equal then
+        map_window_complete_choice := map_sorted_behind;
+      else
+        map_window_complete_choice := map_sorted_arrives or map_sorted_behind;
+      end if;
       map_of_low_0_b_below_a_value := ((map_low_0_0 / 2) mod 2) = 1;
-      map_of_low_0_b_below_a_choice := (not (((map_low_1_0 / 2) mod 2) = 1)) or (not ((map_low_1_0 mod 2) = 1)) when
-        (map_low_0_0 mod 2) = 1 else not (((map_low_1_0 / 2) mod 2) = 1);
+      if (map_low_0_0 mod 2) = 1 then
+        map_of_low_0_b_below_a_choice := (not (((map_low_1_0 / 2) mod 2) = 1)) or (not ((map_low_1_0 mod 2) = 1));
+      else
+        map_of_low_0_b_below_a_choice := not (((map_low_1_0 / 2) mod 2) = 1);
+      end if;
       map_of_low_0_b_below_a_is_equal := (map_low_1_0 mod 4) = 0;
-      map_of_low_0_b_below_a_choice_2 := map_of_low_0_b_below_a_choice when map_of_low_0_b_below_a_value else
-        ((map_low_0_0 mod 2) = 1) and map_of_low_0_b_below_a_is_equal;
+      if map_of_low_0_b_below_a_value then
+        map_of_low_0_b_below_a_choice_2 := map_of_low_0_b_below_a_choice;
+      else
+        map_of_low_0_b_below_a_choice_2 := ((map_low_0_0 mod 2) = 1) and map_of_low_0_b_below_a_is_equal;
+      end if;
       map_of_low_0_b_below_a_value_2 := ((map_low_0_0 / 4) mod 2) = 1;
       map_of_low_0_b_below_a_value_3 := ((map_low_1_0 / 4) mod 2) = 1;
-      map_of_low_0_b_below_a_choice_3 := (not map_of_low_0_b_below_a_value_2) and map_of_low_0_b_below_a_value_3 when
-        map_of_low_0_b_below_a_choice_2 else (not map_of_low_0_b_below_a_value_2) or map_of_low_0_b_below_a_value_3;
+      if map_of_low_0_b_below_a_choice_2 then
+        map_of_low_0_b_below_a_choice_3 := (not map_of_low_0_b_below_a_value_2) and map_of_low_0_b_below_a_value_3;
+      else
+        map_of_low_0_b_below_a_choice_3 := (not map_of_low_0_b_below_a_value_2) or map_of_low_0_b_below_a_value_3;
+      end if;
       map_of_low_0_b_below_a_value_4 := ((map_low_0_0 / 8) mod 2) = 1;
       map_of_low_0_b_below_a_value_5 := ((map_low_1_0 / 8) mod 2) = 1;
-      map_of_low_0_b_below_a_choice_4 := (not map_of_low_0_b_below_a_value_4) or map_of_low_0_b_below_a_value_5 when
-        map_of_low_0_b_below_a_choice_3 else (not map_of_low_0_b_below_a_value_4) and map_of_low_0_b_below_a_value_5;
+      if map_of_low_0_b_below_a_choice_3 then
+        map_of_low_0_b_below_a_choice_4 := (not map_of_low_0_b_below_a_value_4) or map_of_low_0_b_below_a_value_5;
+      else
+        map_of_low_0_b_below_a_choice_4 := (not map_of_low_0_b_below_a_value_4) and map_of_low_0_b_below_a_value_5;
+      end if;
       map_of_low_0_b_below_a_value_6 := ((map_low_0_0 / 16) mod 2) = 1;
       map_of_low_0_b_below_a_value_7 := ((map_low_1_0 / 16) mod 2) = 1;
-      map_of_low_0_b_below_a_choice_5 := (not map_of_low_0_b_below_a_value_6) or map_of_low_0_b_below_a_value_7 when
-        map_of_low_0_b_below_a_choice_4 else (not map_of_low_0_b_below_a_value_6) and map_of_low_0_b_below_a_value_7;
+      if map_of_low_0_b_below_a_choice_4 then
+        map_of_low_0_b_below_a_choice_5 := (not map_of_low_0_b_below_a_value_6) or map_of_low_0_b_below_a_value_7;
+      else
+        map_of_low_0_b_below_a_choice_5 := (not map_of_low_0_b_below_a_value_6) and map_of_low_0_b_below_a_value_7;
+      end if;
       map_of_low_0_b_below_a_value_8 := ((map_low_0_0 / 32) mod 2) = 1;
       map_of_low_0_b_below_a_value_9 := ((map_low_1_0 / 32) mod 2) = 1;
-      map_of_low_0_b_below_a_choice_6 := (not map_of_low_0_b_below_a_value_8) or map_of_low_0_b_below_a_value_9 when
-        map_of_low_0_b_below_a_choice_5 else (not map_of_low_0_b_below_a_value_8) and map_of_low_0_b_below_a_value_9;
+      if map_of_low_0_b_below_a_choice_5 then
+        map_of_low_0_b_below_a_choice_6 := (not map_of_low_0_b_below_a_value_8) or map_of_low_0_b_below_a_value_9;
+      else
+        map_of_low_0_b_below_a_choice_6 := (not map_of_low_0_b_below_a_value_8) and map_of_low_0_b_below_a_value_9;
+      end if;
       map_of_low_0_b_below_a_value_10 := ((map_low_0_0 / 64) mod 2) = 1;
       map_of_low_0_b_below_a_value_11 := ((map_low_1_0 / 64) mod 2) = 1;
-      map_of_low_0_b_below_a_choice_7 := (not map_of_low_0_b_below_a_value_10) or map_of_low_0_b_below_a_value_11 when
-        map_of_low_0_b_below_a_choice_6 else (not map_of_low_0_b_below_a_value_10) and map_of_low_0_b_below_a_value_11;
+      if map_of_low_0_b_below_a_choice_6 then
+        map_of_low_0_b_below_a_choice_7 := (not map_of_low_0_b_below_a_value_10) or map_of_low_0_b_below_a_value_11;
+      else
+        map_of_low_0_b_below_a_choice_7 := (not map_of_low_0_b_below_a_value_10) and map_of_low_0_b_below_a_value_11;
+      end if;
       map_of_low_0_c_below_a_value := ((map_low_2_0 / 2) mod 2) = 1;
-      map_of_low_0_c_below_a_choice := not map_of_low_0_b_below_a_value when (map_low_2_0 mod 2) = 1 else (map_low_0_0
-        mod 4) = 0;
-      map_of_low_0_c_below_a_choice_2 := ((map_low_2_0 mod 2) = 1) or (not map_of_low_0_b_below_a_value) or (not
-        ((map_low_0_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_a_choice;
-      map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_2 when
-        map_of_low_0_c_below_a_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_2;
-      map_of_low_0_c_below_a_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) or map_of_low_0_b_below_a_value_4 when
-        map_of_low_0_c_below_a_choice_3 else (not (((map_low_2_0 / 8) mod 2) = 1)) and map_of_low_0_b_below_a_value_4;
-      map_of_low_0_c_below_a_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) or map_of_low_0_b_below_a_value_6 when
-        map_of_low_0_c_below_a_choice_4 else (not (((map_low_2_0 / 16) mod 2) = 1)) and map_of_low_0_b_below_a_value_6;
-      map_of_low_0_c_below_a_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) or map_of_low_0_b_below_a_value_8 when
-        map_of_low_0_c_below_a_choice_5 else (not (((map_low_2_0 / 32) mod 2) = 1)) and map_of_low_0_b_below_a_value_8;
-      map_of_low_0_c_below_a_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) or map_of_low_0_b_below_a_value_10 when
-        map_of_low_0_c_below_a_choice_6 else (not (((map_low_2_0 / 64) mod 2) = 1)) and map_of_low_0_b_below_a_value_10;
-      map_of_low_0_c_below_b_choice := not (((map_low_1_0 / 2) mod 2) = 1) when (map_low_2_0 mod 2) = 1 else
-        map_of_low_0_b_below_a_is_equal;
-      map_of_low_0_c_below_b_choice_2 := ((map_low_2_0 mod 2) = 1) or (not (((map_low_1_0 / 2) mod 2) = 1)) or (not
-        ((map_low_1_0 mod 2) = 1)) when map_of_low_0_c_below_a_value else map_of_low_0_c_below_b_choice;
-      map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_3 when
-        map_of_low_0_c_below_b_choice_2 else (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_3;
-      map_of_low_0_c_below_b_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) or map_of_low_0_b_below_a_value_5 when
-        map_of_low_0_c_below_b_choice_3 else (not (((map_low_2_0 / 8) mod 2) = 1)) and map_of_low_0_b_below_a_value_5;
-      map_of_low_0_c_below_b_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) or map_of_low_0_b_below_a_value_7 when
-        map_of_low_0_c_below_b_choice_4 else (not (((map_low_2_0 / 16) mod 2) = 1)) and map_of_low_0_b_below_a_value_7;
-      map_of_low_0_c_below_b_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) or map_of_low_0_b_below_a_value_9 when
-        map_of_low_0_c_below_b_choice_5 else (not (((map_low_2_0 / 32) mod 2) = 1)) and map_of_low_0_b_below_a_value_9;
-      map_of_low_0_c_below_b_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) or map_of_low_0_b_below_a_value_11 when
-        map_of_low_0_c_below_b_choice_6 else (not (((map_low_2_0 / 64) mod 2) = 1)) and map_of_low_0_b_below_a_value_11;
+      if (map_low_2_0 mod 2) = 1 then
+        map_of_low_0_c_below_a_choice := not map_of_low_0_b_below_a_value;
+      else
+        map_of_low_0_c_below_a_choice := (map_low_0_0 mod 4) = 0;
+      end if;
+      if map_of_low_0_c_below_a_value then
+        map_of_low_0_c_below_a_choice_2 := ((map_low_2_0 mod 2) = 1) or (not map_of_low_0_b_below_a_value) or (not
+          ((map_low_0_0 mod 2) = 1));
+      else
+        map_of_low_0_c_below_a_choice_2 := map_of_low_0_c_below_a_choice;
+      end if;
+      if map_of_low_0_c_below_a_choice_2 then
+        map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_2;
+      else
+        map_of_low_0_c_below_a_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_2;
+      end if;
+      if map_of_low_0_c_below_a_choice_3 then
+        map_of_low_0_c_below_a_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) or map_of_low_0_b_below_a_value_4;
+      else
+        map_of_low_0_c_below_a_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) and map_of_low_0_b_below_a_value_4;
+      end if;
+      if map_of_low_0_c_below_a_choice_4 then
+        map_of_low_0_c_below_a_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) or map_of_low_0_b_below_a_value_6;
+      else
+        map_of_low_0_c_below_a_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) and map_of_low_0_b_below_a_value_6;
+      end if;
+      if map_of_low_0_c_below_a_choice_5 then
+        map_of_low_0_c_below_a_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) or map_of_low_0_b_below_a_value_8;
+      else
+        map_of_low_0_c_below_a_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) and map_of_low_0_b_below_a_value_8;
+      end if;
+      if map_of_low_0_c_below_a_choice_6 then
+        map_of_low_0_c_below_a_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) or map_of_low_0_b_below_a_value_10;
+      else
+        map_of_low_0_c_below_a_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) and map_of_low_0_b_below_a_value_10;
+      end if;
+      if (map_low_2_0 mod 2) = 1 then
+        map_of_low_0_c_below_b_choice := not (((map_low_1_0 / 2) mod 2) = 1);
+      else
+        map_of_low_0_c_below_b_choice := map_of_low_0_b_below_a_is_equal;
+      end if;
+      if map_of_low_0_c_below_a_value then
+        map_of_low_0_c_below_b_choice_2 := ((map_low_2_0 mod 2) = 1) or (not (((map_low_1_0 / 2) mod 2) = 1)) or (not
+          ((map_low_1_0 mod 2) = 1));
+      else
+        map_of_low_0_c_below_b_choice_2 := map_of_low_0_c_below_b_choice;
+      end if;
+      if map_of_low_0_c_below_b_choice_2 then
+        map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) and map_of_low_0_b_below_a_value_3;
+      else
+        map_of_low_0_c_below_b_choice_3 := (not (((map_low_2_0 / 4) mod 2) = 1)) or map_of_low_0_b_below_a_value_3;
+      end if;
+      if map_of_low_0_c_below_b_choice_3 then
+        map_of_low_0_c_below_b_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) or map_of_low_0_b_below_a_value_5;
+      else
+        map_of_low_0_c_below_b_choice_4 := (not (((map_low_2_0 / 8) mod 2) = 1)) and map_of_low_0_b_below_a_value_5;
+      end if;
+      if map_of_low_0_c_below_b_choice_4 then
+        map_of_low_0_c_below_b_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) or map_of_low_0_b_below_a_value_7;
+      else
+        map_of_low_0_c_below_b_choice_5 := (not (((map_low_2_0 / 16) mod 2) = 1)) and map_of_low_0_b_below_a_value_7;
+      end if;
+      if map_of_low_0_c_below_b_choice_5 then
+        map_of_low_0_c_below_b_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) or map_of_low_0_b_below_a_value_9;
+      else
+        map_of_low_0_c_below_b_choice_6 := (not (((map_low_2_0 / 32) mod 2) = 1)) and map_of_low_0_b_below_a_value_9;
+      end if;
+      if map_of_low_0_c_below_b_choice_6 then
+        map_of_low_0_c_below_b_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) or map_of_low_0_b_below_a_value_11;
+      else
+        map_of_low_0_c_below_b_choice_7 := (not (((map_low_2_0 / 64) mod 2) = 1)) and map_of_low_0_b_below_a_value_11;
+      end if;
       map_of_middle_0_b_below_a_value := ((map_middle_0_0 / 2) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice := (not (((map_middle_1_0 / 2) mod 2) = 1)) or (not ((map_middle_1_0 mod 2) =
-        1)) when (map_middle_0_0 mod 2) = 1 else not (((map_middle_1_0 / 2) mod 2) = 1);
+      if (map_middle_0_0 mod 2) = 1 then
+        map_of_middle_0_b_below_a_choice := (not (((map_middle_1_0 / 2) mod 2) = 1)) or (not ((map_middle_1_0 mod 2) =
+          1));
+      else
+        map_of_middle_0_b_below_a_choice := not (((map_middle_1_0 / 2) mod 2) = 1);
+      end if;
       map_of_middle_0_b_below_a_is_equal := (map_middle_1_0 mod 4) = 0;
-      map_of_middle_0_b_below_a_choice_2 := map_of_middle_0_b_below_a_choice when map_of_middle_0_b_below_a_value else
-        ((map_middle_0_0 mod 2) = 1) and map_of_middle_0_b_below_a_is_equal;
+      if map_of_middle_0_b_below_a_value then
+        map_of_middle_0_b_below_a_choice_2 := map_of_middle_0_b_below_a_choice;
+      else
+        map_of_middle_0_b_below_a_choice_2 := ((map_middle_0_0 mod 2) = 1) and map_of_middle_0_b_below_a_is_equal;
+      end if;
       map_of_middle_0_b_below_a_value_2 := ((map_middle_0_0 / 4) mod 2) = 1;
       map_of_middle_0_b_below_a_value_3 := ((map_middle_1_0 / 4) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) and
-        map_of_middle_0_b_below_a_value_3 when map_of_middle_0_b_below_a_choice_2 else (not
-        map_of_middle_0_b_below_a_value_2) or map_of_middle_0_b_below_a_value_3;
+      if map_of_middle_0_b_below_a_choice_2 then
+        map_of_middle_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) and
+          map_of_middle_0_b_below_a_value_3;
+      else
+        map_of_middle_0_b_below_a_choice_3 := (not map_of_middle_0_b_below_a_value_2) or
+          map_of_middle_0_b_below_a_value_3;
+      end if;
       map_of_middle_0_b_below_a_value_4 := ((map_middle_0_0 / 8) mod 2) = 1;
       map_of_middle_0_b_below_a_value_5 := ((map_middle_1_0 / 8) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice_4 := (not map_of_middle_0_b_below_a_value_4) or
-        map_of_middle_0_b_below_a_value_5 when map_of_middle_0_b_below_a_choice_3 else (not
-        map_of_middle_0_b_below_a_value_4) and map_of_middle_0_b_below_a_value_5;
+      if map_of_middle_0_b_below_a_choice_3 then
+        map_of_middle_0_b_below_a_choice_4 := (not map_of_middle_0_b_below_a_value_4) or
+          map_of_middle_0_b_below_a_value_5;
+      else
+        map_of_middle_0_b_below_a_choice_4 := (not map_of_middle_0_b_below_a_value_4) and
+          map_of_middle_0_b_below_a_value_5;
+      end if;
       map_of_middle_0_b_below_a_value_6 := ((map_middle_0_0 / 16) mod 2) = 1;
       map_of_middle_0_b_below_a_value_7 := ((map_middle_1_0 / 16) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice_5 := (not map_of_middle_0_b_below_a_value_6) or
-        map_of_middle_0_b_below_a_value_7 when map_of_middle_0_b_below_a_choice_4 else (not
-        map_of_middle_0_b_below_a_value_6) and map_of_middle_0_b_below_a_value_7;
+      if map_of_middle_0_b_below_a_choice_4 then
+        map_of_middle_0_b_below_a_choice_5 := (not map_of_middle_0_b_below_a_value_6) or
+          map_of_middle_0_b_below_a_value_7;
+      else
+        map_of_middle_0_b_below_a_choice_5 := (not map_of_middle_0_b_below_a_value_6) and
+          map_of_middle_0_b_below_a_value_7;
+      end if;
       map_of_middle_0_b_below_a_value_8 := ((map_middle_0_0 / 32) mod 2) = 1;
       map_of_middle_0_b_below_a_value_9 := ((map_middle_1_0 / 32) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice_6 := (not map_of_middle_0_b_below_a_value_8) or
-        map_of_middle_0_b_below_a_value_9 when map_of_middle_0_b_below_a_choice_5 else (not
-        map_of_middle_0_b_below_a_value_8) and map_of_middle_0_b_below_a_value_9;
+      if map_of_middle_0_b_below_a_choice_5 then
+        map_of_middle_0_b_below_a_choice_6 := (not map_of_middle_0_b_below_a_value_8) or
+          map_of_middle_0_b_below_a_value_9;
+      else
+        map_of_middle_0_b_below_a_choice_6 := (not map_of_middle_0_b_below_a_value_8) and
+          map_of_middle_0_b_below_a_value_9;
+      end if;
       map_of_middle_0_b_below_a_value_10 := ((map_middle_0_0 / 64) mod 2) = 1;
       map_of_middle_0_b_below_a_value_11 := ((map_middle_1_0 / 64) mod 2) = 1;
-      map_of_middle_0_b_below_a_choice_7 := (not map_of_middle_0_b_below_a_value_10) or
-        map_of_middle_0_b_below_a_value_11 when map_of_middle_0_b_below_a_choice_6 else (not
-        map_of_middle_0_b_below_a_value_10) and map_of_middle_0_b_below_a_value_11;
+      if map_of_middle_0_b_below_a_choice_6 then
+        map_of_middle_0_b_below_a_choice_7 := (not map_of_middle_0_b_below_a_value_10) or
+          map_of_middle_0_b_below_a_value_11;
+      else
+        map_of_middle_0_b_below_a_choice_7 := (not map_of_middle_0_b_below_a_value_10) and
+          map_of_middle_0_b_below_a_value_11;
+      end if;
       map_of_middle_0_c_below_a_value := ((map_middle_2_0 / 2) mod 2) = 1;
-      map_of_middle_0_c_below_a_choice := not map_of_middle_0_b_below_a_value when (map_middle_2_0 mod 2) = 1 else
-        (map_middle_0_0 mod 4) = 0;
-      map_of_middle_0_c_below_a_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not map_of_middle_0_b_below_a_value) or
-        (not ((map_middle_0_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_a_choice;
-      map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
-        map_of_middle_0_b_below_a_value_2 when map_of_middle_0_c_below_a_choice_2 else (not (((map_middle_2_0 / 4) mod
-        2) = 1)) or map_of_middle_0_b_below_a_value_2;
-      map_of_middle_0_c_below_a_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) or
-        map_of_middle_0_b_below_a_value_4 when map_of_middle_0_c_below_a_choice_3 else (not (((map_middle_2_0 / 8) mod
-        2) = 1)) and map_of_middle_0_b_below_a_value_4;
-      map_of_middle_0_c_below_a_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) or
-        map_of_middle_0_b_below_a_value_6 when map_of_middle_0_c_below_a_choice_4 else (not (((map_middle_2_0 / 16) mod
-        2) = 1)) and map_of_middle_0_b_below_a_value_6;
-      map_of_middle_0_c_below_a_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) or
-        map_of_middle_0_b_below_a_value_8 when map_of_middle_0_c_below_a_choice_5 else (not (((map_middle_2_0 / 32) mod
-        2) = 1)) and map_of_middle_0_b_below_a_value_8;
-      map_of_middle_0_c_below_a_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) or
-        map_of_middle_0_b_below_a_value_10 when map_of_middle_0_c_below_a_choice_6 else (not (((map_middle_2_0 / 64)
-        mod 2) = 1)) and map_of_middle_0_b_below_a_value_10;
-      map_of_middle_0_c_below_b_choice := not (((map_middle_1_0 / 2) mod 2) = 1) when (map_middle_2_0 mod 2) = 1 else
-        map_of_middle_0_b_below_a_is_equal;
-      map_of_middle_0_c_below_b_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not (((map_middle_1_0 / 2) mod 2) = 1)) or
-        (not ((map_middle_1_0 mod 2) = 1)) when map_of_middle_0_c_below_a_value else map_of_middle_0_c_below_b_choice;
-      map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
-        map_of_middle_0_b_below_a_value_3 when map_of_middle_0_c_below_b_choice_2 else (not (((map_middle_2_0 / 4) mod
-        2) = 1)) or map_of_middle_0_b_below_a_value_3;
-      map_of_middle_0_c_below_b_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) or
-        map_of_middle_0_b_below_a_value_5 when map_of_middle_0_c_below_b_choice_3 else (not (((map_middle_2_0 / 8) mod
-        2) = 1)) and map_of_middle_0_b_below_a_value_5;
-      map_of_middle_0_c_below_b_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) or
-        map_of_middle_0_b_below_a_value_7 when map_of_middle_0_c_below_b_choice_4 else (not (((map_middle_2_0 / 16) mod
-        2) = 1)) and map_of_middle_0_b_below_a_value_7;
-      map_of_middle_0_c_below_b_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) or
-        map_of_middle_0_b_below_a_value_9 when map_of_middle_0_c_below_b_choice_5 else (not (((map_middle_2_0 / 32) mod
-        2) = 1)) and map_of_middle_0_b_below_a_value_9;
-      map_of_middle_0_c_below_b_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) or
-        map_of_middle_0_b_below_a_value_11 when map_of_middle_0_c_below_b_choice_6 else (not (((map_middle_2_0 / 64)
-        mod 2) = 1)) and map_of_middle_0_b_below_a_value_11;
+      if (map_middle_2_0 mod 2) = 1 then
+        map_of_middle_0_c_below_a_choice := not map_of_middle_0_b_below_a_value;
+      else
+        map_of_middle_0_c_below_a_choice := (map_middle_0_0 mod 4) = 0;
+      end if;
+      if map_of_middle_0_c_below_a_value then
+        map_of_middle_0_c_below_a_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not map_of_middle_0_b_below_a_value) or
+          (not ((map_middle_0_0 mod 2) = 1));
+      else
+        map_of_middle_0_c_below_a_choice_2 := map_of_middle_0_c_below_a_choice;
+      end if;
+      if map_of_middle_0_c_below_a_choice_2 then
+        map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_2;
+      else
+        map_of_middle_0_c_below_a_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_2;
+      end if;
+      if map_of_middle_0_c_below_a_choice_3 then
+        map_of_middle_0_c_below_a_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_4;
+      else
+        map_of_middle_0_c_below_a_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_4;
+      end if;
+      if map_of_middle_0_c_below_a_choice_4 then
+        map_of_middle_0_c_below_a_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_6;
+      else
+        map_of_middle_0_c_below_a_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_6;
+      end if;
+      if map_of_middle_0_c_below_a_choice_5 then
+        map_of_middle_0_c_below_a_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_8;
+      else
+        map_of_middle_0_c_below_a_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_8;
+      end if;
+      if map_of_middle_0_c_below_a_choice_6 then
+        map_of_middle_0_c_below_a_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_10;
+      else
+        map_of_middle_0_c_below_a_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_10;
+      end if;
+      if (map_middle_2_0 mod 2) = 1 then
+        map_of_middle_0_c_below_b_choice := not (((map_middle_1_0 / 2) mod 2) = 1);
+      else
+        map_of_middle_0_c_below_b_choice := map_of_middle_0_b_below_a_is_equal;
+      end if;
+      if map_of_middle_0_c_below_a_value then
+        map_of_middle_0_c_below_b_choice_2 := ((map_middle_2_0 mod 2) = 1) or (not (((map_middle_1_0 / 2) mod 2) = 1))
+          or (not ((map_middle_1_0 mod 2) = 1));
+      else
+        map_of_middle_0_c_below_b_choice_2 := map_of_middle_0_c_below_b_choice;
+      end if;
+      if map_of_middle_0_c_below_b_choice_2 then
+        map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_3;
+      else
+        map_of_middle_0_c_below_b_choice_3 := (not (((map_middle_2_0 / 4) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_3;
+      end if;
+      if map_of_middle_0_c_below_b_choice_3 then
+        map_of_middle_0_c_below_b_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_5;
+      else
+        map_of_middle_0_c_below_b_choice_4 := (not (((map_middle_2_0 / 8) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_5;
+      end if;
+      if map_of_middle_0_c_below_b_choice_4 then
+        map_of_middle_0_c_below_b_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_7;
+      else
+        map_of_middle_0_c_below_b_choice_5 := (not (((map_middle_2_0 / 16) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_7;
+      end if;
+      if map_of_middle_0_c_below_b_choice_5 then
+        map_of_middle_0_c_below_b_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_9;
+      else
+        map_of_middle_0_c_below_b_choice_6 := (not (((map_middle_2_0 / 32) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_9;
+      end if;
+      if map_of_middle_0_c_below_b_choice_6 then
+        map_of_middle_0_c_below_b_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) or
+          map_of_middle_0_b_below_a_value_11;
+      else
+        map_of_middle_0_c_below_b_choice_7 := (not (((map_middle_2_0 / 64) mod 2) = 1)) and
+          map_of_middle_0_b_below_a_value_11;
+      end if;
       map_of_high_0_b_below_a_value := ((map_high_0_0 / 2) mod 2) = 1;
-      map_of_high_0_b_below_a_choice := (not (((map_high_1_0 / 2) mod 2) = 1)) or (not ((map_high_1_0 mod 2) = 1)) when
-        (map_high_0_0 mod 2) = 1 else not (((map_high_1_0 / 2) mod 2) = 1);
+      if (map_high_0_0 mod 2) = 1 then
+        map_of_high_0_b_below_a_choice := (not (((map_high_1_0 / 2) mod 2) = 1)) or (not ((map_high_1_0 mod 2) = 1));
+      else
+        map_of_high_0_b_below_a_choice := not (((map_high_1_0 / 2) mod 2) = 1);
+      end if;
       map_of_high_0_b_below_a_is_equal := (map_high_1_0 mod 4) = 0;
-      map_of_high_0_b_below_a_choice_2 := map_of_high_0_b_below_a_choice when map_of_high_0_b_below_a_value else
-        ((map_high_0_0 mod 2) = 1) and map_of_high_0_b_below_a_is_equal;
+      if map_of_high_0_b_below_a_value then
+        map_of_high_0_b_below_a_choice_2 := map_of_high_0_b_below_a_choice;
+      else
+        map_of_high_0_b_below_a_choice_2 := ((map_high_0_0 mod 2) = 1) and map_of_high_0_b_below_a_is_equal;
+      end if;
       map_of_high_0_b_below_a_value_2 := ((map_high_0_0 / 4) mod 2) = 1;
       map_of_high_0_b_below_a_value_3 := ((map_high_1_0 / 4) mod 2) = 1;
-      map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) and map_of_high_0_b_below_a_value_3
-        when map_of_high_0_b_below_a_choice_2 else (not map_of_high_0_b_below_a_value_2) or
-        map_of_high_0_b_below_a_value_3;
+      if map_of_high_0_b_below_a_choice_2 then
+        map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) and map_of_high_0_b_below_a_value_3;
+      else
+        map_of_high_0_b_below_a_choice_3 := (not map_of_high_0_b_below_a_value_2) or map_of_high_0_b_below_a_value_3;
+      end if;
       map_of_high_0_b_below_a_value_4 := ((map_high_0_0 / 8) mod 2) = 1;
       map_of_high_0_b_below_a_value_5 := ((map_high_1_0 / 8) mod 2) = 1;
-      map_of_high_0_b_below_a_choice_4 := (not map_of_high_0_b_below_a_value_4) or map_of_high_0_b_below_a_value_5 when
-        map_of_high_0_b_below_a_choice_3 else (not map_of_high_0_b_below_a_value_4) and map_of_high_0_b_below_a_value_5;
+      if map_of_high_0_b_below_a_choice_3 then
+        map_of_high_0_b_below_a_choice_4 := (not map_of_high_0_b_below_a_value_4) or map_of_high_0_b_below_a_value_5;
+      else
+        map_of_high_0_b_below_a_choice_4 := (not map_of_high_0_b_below_a_value_4) and map_of_high_0_b_below_a_value_5;
+      end if;
       map_of_high_0_b_below_a_value_6 := ((map_high_0_0 / 16) mod 2) = 1;
       map_of_high_0_b_below_a_value_7 := ((map_high_1_0 / 16) mod 2) = 1;
-      map_of_high_0_b_below_a_choice_5 := (not map_of_high_0_b_below_a_value_6) or map_of_high_0_b_below_a_value_7 when
-        map_of_high_0_b_below_a_choice_4 else (not map_of_high_0_b_below_a_value_6) and map_of_high_0_b_below_a_value_7;
+      if map_of_high_0_b_below_a_choice_4 then
+        map_of_high_0_b_below_a_choice_5 := (not map_of_high_0_b_below_a_value_6) or map_of_high_0_b_below_a_value_7;
+      else
+        map_of_high_0_b_below_a_choice_5 := (not map_of_high_0_b_below_a_value_6) and map_of_high_0_b_below_a_value_7;
+      end if;
       map_of_high_0_b_below_a_value_8 := ((map_high_0_0 / 32) mod 2) = 1;
       map_of_high_0_b_below_a_value_9 := ((map_high_1_0 / 32) mod 2) = 1;
-      map_of_high_0_b_below_a_choice_6 := (not map_of_high_0_b_below_a_value_8) or map_of_high_0_b_below_a_value_9 when
-        map_of_high_0_b_below_a_choice_5 else (not map_of_high_0_b_below_a_value_8) and map_of_high_0_b_below_a_value_9;
+      if map_of_high_0_b_below_a_choice_5 then
+        map_of_high_0_b_below_a_choice_6 := (not map_of_high_0_b_below_a_value_8) or map_of_high_0_b_below_a_value_9;
+      else
+        map_of_high_0_b_below_a_choice_6 := (not map_of_high_0_b_below_a_value_8) and map_of_high_0_b_below_a_value_9;
+      end if;
       map_of_high_0_b_below_a_value_10 := ((map_high_0_0 / 64) mod 2) = 1;
       map_of_high_0_b_below_a_value_11 := ((map_high_1_0 / 64) mod 2) = 1;
-      map_of_high_0_b_below_a_choice_7 := (not map_of_high_0_b_below_a_value_10) or map_of_high_0_b_below_a_value_11
-        when map_of_high_0_b_below_a_choice_6 else (not map_of_high_0_b_below_a_value_10) and
-        map_of_high_0_b_below_a_value_11;
+      if map_of_high_0_b_below_a_choice_6 then
+        map_of_high_0_b_below_a_choice_7 := (not map_of_high_0_b_below_a_value_10) or map_of_high_0_b_below_a_value_11;
+      else
+        map_of_high_0_b_below_a_choice_7 := (not map_of_high_0_b_below_a_value_10) and map_of_high_0_b_below_a_value_11;
+      end if;
       map_of_high_0_c_below_a_value := ((map_high_2_0 / 2) mod 2) = 1;
-      map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value when (map_high_2_0 mod 2) = 1 else
-        (map_high_0_0 mod 4) = 0;
-      map_of_high_0_c_below_a_choice_2 := ((map_high_2_0 mod 2) = 1) or (not map_of_high_0_b_below_a_value) or (not
-        ((map_high_0_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_a_choice;
-      map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_2
-        when map_of_high_0_c_below_a_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
-        map_of_high_0_b_below_a_value_2;
-      map_of_high_0_c_below_a_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) or map_of_high_0_b_below_a_value_4
-        when map_of_high_0_c_below_a_choice_3 else (not (((map_high_2_0 / 8) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_4;
-      map_of_high_0_c_below_a_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) or map_of_high_0_b_below_a_value_6
-        when map_of_high_0_c_below_a_choice_4 else (not (((map_high_2_0 / 16) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_6;
-      map_of_high_0_c_below_a_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) or map_of_high_0_b_below_a_value_8
-        when map_of_high_0_c_below_a_choice_5 else (not (((map_high_2_0 / 32) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_8;
-      map_of_high_0_c_below_a_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) or map_of_high_0_b_below_a_value_10
-        when map_of_high_0_c_below_a_choice_6 else (not (((map_high_2_0 / 64) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_10;
-      map_of_high_0_c_below_b_choice := not (((map_high_1_0 / 2) mod 2) = 1) when (map_high_2_0 mod 2) = 1 else
-        map_of_high_0_b_below_a_is_equal;
-      map_of_high_0_c_below_b_choice_2 := ((map_high_2_0 mod 2) = 1) or (not (((map_high_1_0 / 2) mod 2) = 1)) or (not
-        ((map_high_1_0 mod 2) = 1)) when map_of_high_0_c_below_a_value else map_of_high_0_c_below_b_choice;
-      map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_3
-        when map_of_high_0_c_below_b_choice_2 else (not (((map_high_2_0 / 4) mod 2) = 1)) or
-        map_of_high_0_b_below_a_value_3;
-      map_of_high_0_c_below_b_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) or map_of_high_0_b_below_a_value_5
-        when map_of_high_0_c_below_b_choice_3 else (not (((map_high_2_0 / 8) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_5;
-      map_of_high_0_c_below_b_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) or map_of_high_0_b_below_a_value_7
-        when map_of_high_0_c_below_b_choice_4 else (not (((map_high_2_0 / 16) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_7;
-      map_of_high_0_c_below_b_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) or map_of_high_0_b_below_a_value_9
-        when map_of_high_0_c_below_b_choice_5 else (not (((map_high_2_0 / 32) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_9;
-      map_of_high_0_c_below_b_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) or map_of_high_0_b_below_a_value_11
-        when map_of_high_0_c_below_b_choice_6 else (not (((map_high_2_0 / 64) mod 2) = 1)) and
-        map_of_high_0_b_below_a_value_11;
-      map_largest_low_0_choice := map_of_low_0_a when map_of_low_0_c_below_a else map_of_low_0_c;
-      map_largest_low_0_choice_2 := map_of_low_0_b when map_of_low_0_c_below_b else map_of_low_0_c;
-      map_median_middle_0_choice := map_of_middle_0_c when map_of_middle_0_c_below_a else map_of_middle_0_a;
-      map_median_middle_0_choice_2 := map_of_middle_0_b when map_of_middle_0_c_below_b else map_median_middle_0_choice;
-      map_median_middle_0_choice_3 := map_of_middle_0_c when map_of_middle_0_c_below_b else map_of_middle_0_b;
-      map_median_middle_0_choice_4 := map_of_middle_0_a when map_of_middle_0_c_below_a else
-        map_median_middle_0_choice_3;
-      map_smallest_high_0_choice := map_of_high_0_c when map_of_high_0_c_below_b else map_of_high_0_b;
-      map_smallest_high_0_choice_2 := map_of_high_0_c when map_of_high_0_c_below_a else map_of_high_0_a;
+      if (map_high_2_0 mod 2) = 1 then
+        map_of_high_0_c_below_a_choice := not map_of_high_0_b_below_a_value;
+      else
+        map_of_high_0_c_below_a_choice := (map_high_0_0 mod 4) = 0;
+      end if;
+      if map_of_high_0_c_below_a_value then
+        map_of_high_0_c_below_a_choice_2 := ((map_high_2_0 mod 2) = 1) or (not map_of_high_0_b_below_a_value) or (not
+          ((map_high_0_0 mod 2) = 1));
+      else
+        map_of_high_0_c_below_a_choice_2 := map_of_high_0_c_below_a_choice;
+      end if;
+      if map_of_high_0_c_below_a_choice_2 then
+        map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_2;
+      else
+        map_of_high_0_c_below_a_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) or map_of_high_0_b_below_a_value_2;
+      end if;
+      if map_of_high_0_c_below_a_choice_3 then
+        map_of_high_0_c_below_a_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) or map_of_high_0_b_below_a_value_4;
+      else
+        map_of_high_0_c_below_a_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) and map_of_high_0_b_below_a_value_4;
+      end if;
+      if map_of_high_0_c_below_a_choice_4 then
+        map_of_high_0_c_below_a_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) or map_of_high_0_b_below_a_value_6;
+      else
+        map_of_high_0_c_below_a_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) and map_of_high_0_b_below_a_value_6;
+      end if;
+      if map_of_high_0_c_below_a_choice_5 then
+        map_of_high_0_c_below_a_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) or map_of_high_0_b_below_a_value_8;
+      else
+        map_of_high_0_c_below_a_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) and map_of_high_0_b_below_a_value_8;
+      end if;
+      if map_of_high_0_c_below_a_choice_6 then
+        map_of_high_0_c_below_a_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) or map_of_high_0_b_below_a_value_10;
+      else
+        map_of_high_0_c_below_a_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) and
+          map_of_high_0_b_below_a_value_10;
+      end if;
+      if (map_high_2_0 mod 2) = 1 then
+        map_of_high_0_c_below_b_choice := not (((map_high_1_0 / 2) mod 2) = 1);
+      else
+        map_of_high_0_c_below_b_choice := map_of_high_0_b_below_a_is_equal;
+      end if;
+      if map_of_high_0_c_below_a_value then
+        map_of_high_0_c_below_b_choice_2 := ((map_high_2_0 mod 2) = 1) or (not (((map_high_1_0 / 2) mod 2) = 1)) or
+          (not ((map_high_1_0 mod 2) = 1));
+      else
+        map_of_high_0_c_below_b_choice_2 := map_of_high_0_c_below_b_choice;
+      end if;
+      if map_of_high_0_c_below_b_choice_2 then
+        map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) and map_of_high_0_b_below_a_value_3;
+      else
+        map_of_high_0_c_below_b_choice_3 := (not (((map_high_2_0 / 4) mod 2) = 1)) or map_of_high_0_b_below_a_value_3;
+      end if;
+      if map_of_high_0_c_below_b_choice_3 then
+        map_of_high_0_c_below_b_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) or map_of_high_0_b_below_a_value_5;
+      else
+        map_of_high_0_c_below_b_choice_4 := (not (((map_high_2_0 / 8) mod 2) = 1)) and map_of_high_0_b_below_a_value_5;
+      end if;
+      if map_of_high_0_c_below_b_choice_4 then
+        map_of_high_0_c_below_b_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) or map_of_high_0_b_below_a_value_7;
+      else
+        map_of_high_0_c_below_b_choice_5 := (not (((map_high_2_0 / 16) mod 2) = 1)) and map_of_high_0_b_below_a_value_7;
+      end if;
+      if map_of_high_0_c_below_b_choice_5 then
+        map_of_high_0_c_below_b_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) or map_of_high_0_b_below_a_value_9;
+      else
+        map_of_high_0_c_below_b_choice_6 := (not (((map_high_2_0 / 32) mod 2) = 1)) and map_of_high_0_b_below_a_value_9;
+      end if;
+      if map_of_high_0_c_below_b_choice_6 then
+        map_of_high_0_c_below_b_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) or map_of_high_0_b_below_a_value_11;
+      else
+        map_of_high_0_c_below_b_choice_7 := (not (((map_high_2_0 / 64) mod 2) = 1)) and
+          map_of_high_0_b_below_a_value_11;
+      end if;
+      if map_of_low_0_c_below_a then
+        map_largest_low_0_choice := map_of_low_0_a;
+      else
+        map_largest_low_0_choice := map_of_low_0_c;
+      end if;
+      if map_of_low_0_c_below_b then
+        map_largest_low_0_choice_2 := map_of_low_0_b;
+      else
+        map_largest_low_0_choice_2 := map_of_low_0_c;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice := map_of_middle_0_a;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_2 := map_of_middle_0_b;
+      else
+        map_median_middle_0_choice_2 := map_median_middle_0_choice;
+      end if;
+      if map_of_middle_0_c_below_b then
+        map_median_middle_0_choice_3 := map_of_middle_0_c;
+      else
+        map_median_middle_0_choice_3 := map_of_middle_0_b;
+      end if;
+      if map_of_middle_0_c_below_a then
+        map_median_middle_0_choice_4 := map_of_middle_0_a;
+      else
+        map_median_middle_0_choice_4 := map_median_middle_0_choice_3;
+      end if;
+      if map_of_high_0_c_below_b then
+        map_smallest_high_0_choice := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice := map_of_high_0_b;
+      end if;
+      if map_of_high_0_c_below_a then
+        map_smallest_high_0_choice_2 := map_of_high_0_c;
+      else
+        map_smallest_high_0_choice_2 := map_of_high_0_a;
+      end if;
       map_of_all_0_b_below_a_value := ((map_largest_low_0 / 2) mod 2) = 1;
-      map_of_all_0_b_below_a_choice := (not (((map_median_middle_0 / 2) mod 2) = 1)) or (not ((map_median_middle_0 mod
-        2) = 1)) when (map_largest_low_0 mod 2) = 1 else not (((map_median_middle_0 / 2) mod 2) = 1);
+      if (map_largest_low_0 mod 2) = 1 then
+        map_of_all_0_b_below_a_choice := (not (((map_median_middle_0 / 2) mod 2) = 1)) or (not ((map_median_middle_0
+          mod 2) = 1));
+      else
+        map_of_all_0_b_below_a_choice := not (((map_median_middle_0 / 2) mod 2) = 1);
+      end if;
       map_of_all_0_b_below_a_is_equal := (map_median_middle_0 mod 4) = 0;
-      map_of_all_0_b_below_a_choice_2 := map_of_all_0_b_below_a_choice when map_of_all_0_b_below_a_value else
-        ((map_largest_low_0 mod 2) = 1) and map_of_all_0_b_below_a_is_equal;
+      if map_of_all_0_b_below_a_value then
+        map_of_all_0_b_below_a_choice_2 := map_of_all_0_b_below_a_choice;
+      else
+        map_of_all_0_b_below_a_choice_2 := ((map_largest_low_0 mod 2) = 1) and map_of_all_0_b_below_a_is_equal;
+      end if;
       map_of_all_0_b_below_a_value_2 := ((map_largest_low_0 / 4) mod 2) = 1;
       map_of_all_0_b_below_a_value_3 := ((map_median_middle_0 / 4) mod 2) = 1;
-      map_of_all_0_b_below_a_choice_3 := (not map_of_all_0_b_below_a_value_2) and map_of_all_0_b_below_a_value_3 when
-        map_of_all_0_b_below_a_choice_2 else (not map_of_all_0_b_below_a_value_2) or map_of_all_0_b_below_a_value_3;
+      if map_of_all_0_b_below_a_choice_2 then
+        map_of_all_0_b_below_a_choice_3 := (not map_of_all_0_b_below_a_value_2) and map_of_all_0_b_below_a_value_3;
+      else
+        map_of_all_0_b_below_a_choice_3 := (not map_of_all_0_b_below_a_value_2) or map_of_all_0_b_below_a_value_3;
+      end if;
       map_of_all_0_b_below_a_value_4 := ((map_largest_low_0 / 8) mod 2) = 1;
       map_of_all_0_b_below_a_value_5 := ((map_median_middle_0 / 8) mod 2) = 1;
-      map_of_all_0_b_below_a_choice_4 := (not map_of_all_0_b_below_a_value_4) or map_of_all_0_b_below_a_value_5 when
-        map_of_all_0_b_below_a_choice_3 else (not map_of_all_0_b_below_a_value_4) and map_of_all_0_b_below_a_value_5;
+      if map_of_all_0_b_below_a_choice_3 then
+        map_of_all_0_b_below_a_choice_4 := (not map_of_all_0_b_below_a_value_4) or map_of_all_0_b_below_a_value_5;
+      else
+        map_of_all_0_b_below_a_choice_4 := (not map_of_all_0_b_below_a_value_4) and map_of_all_0_b_below_a_value_5;
+      end if;
       map_of_all_0_b_below_a_value_6 := ((map_largest_low_0 / 16) mod 2) = 1;
       map_of_all_0_b_below_a_value_7 := ((map_median_middle_0 / 16) mod 2) = 1;
-      map_of_all_0_b_below_a_choice_5 := (not map_of_all_0_b_below_a_value_6) or map_of_all_0_b_below_a_value_7 when
-        map_of_all_0_b_below_a_choice_4 else (not map_of_all_0_b_below_a_value_6) and map_of_all_0_b_below_a_value_7;
+      if map_of_all_0_b_below_a_choice_4 then
+        map_of_all_0_b_below_a_choice_5 := (not map_of_all_0_b_below_a_value_6) or map_of_all_0_b_below_a_value_7;
+      else
+        map_of_all_0_b_below_a_choice_5 := (not map_of_all_0_b_below_a_value_6) and map_of_all_0_b_below_a_value_7;
+      end if;
       map_of_all_0_b_below_a_value_8 := ((map_largest_low_0 / 32) mod 2) = 1;
       map_of_all_0_b_below_a_value_9 := ((map_median_middle_0 / 32) mod 2) = 1;
-      map_of_all_0_b_below_a_choice_6 := (not map_of_all_0_b_below_a_value_8) or map_of_all_0_b_below_a_value_9 when
-        map_of_all_0_b_below_a_choice_5 else (not map_of_all_0_b_below_a_value_8) and map_of_all_0_b_below_a_value_9;
+      if map_of_all_0_b_below_a_choice_5 then
+        map_of_all_0_b_below_a_choice_6 := (not map_of_all_0_b_below_a_value_8) or map_of_all_0_b_below_a_value_9;
+      else
+        map_of_all_0_b_below_a_choice_6 := (not map_of_all_0_b_below_a_value_8) and map_of_all_0_b_below_a_value_9;
+      end if;
       map_of_all_0_b_below_a_value_10 := ((map_largest_low_0 / 64) mod 2) = 1;
       map_of_all_0_b_below_a_value_11 := ((map_median_middle_0 / 64) mod 2) = 1;
-      map_of_all_0_b_below_a_choice_7 := (not map_of_all_0_b_below_a_value_10) or map_of_all_0_b_below_a_value_11 when
-        map_of_all_0_b_below_a_choice_6 else (not map_of_all_0_b_below_a_value_10) and map_of_all_0_b_below_a_value_11;
+      if map_of_all_0_b_below_a_choice_6 then
+        map_of_all_0_b_below_a_choice_7 := (not map_of_all_0_b_below_a_value_10) or map_of_all_0_b_below_a_value_11;
+      else
+        map_of_all_0_b_below_a_choice_7 := (not map_of_all_0_b_below_a_value_10) and map_of_all_0_b_below_a_value_11;
+      end if;
       map_of_all_0_c_below_a_value := ((map_smallest_high_0 / 2) mod 2) = 1;
-      map_of_all_0_c_below_a_choice := not map_of_all_0_b_below_a_value when (map_smallest_high_0 mod 2) = 1 else
-        (map_largest_low_0 mod 4) = 0;
-      map_of_all_0_c_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not map_of_all_0_b_below_a_value) or
-        (not ((map_largest_low_0 mod 2) = 1)) when map_of_all_0_c_below_a_value else map_of_all_0_c_below_a_choice;
-      map_of_all_0_c_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
-        map_of_all_0_b_below_a_value_2 when map_of_all_0_c_below_a_choice_2 else (not (((map_smallest_high_0 / 4) mod
-        2) = 1)) or map_of_all_0_b_below_a_value_2;
-      map_of_all_0_c_below_a_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) or
-        map_of_all_0_b_below_a_value_4 when map_of_all_0_c_below_a_choice_3 else (not (((map_smallest_high_0 / 8) mod
-        2) = 1)) and map_of_all_0_b_below_a_value_4;
-      map_of_all_0_c_below_a_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) or
-        map_of_all_0_b_below_a_value_6 when map_of_all_0_c_below_a_choice_4 else (not (((map_smallest_high_0 / 16) mod
-        2) = 1)) and map_of_all_0_b_below_a_value_6;
-      map_of_all_0_c_below_a_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) or
-        map_of_all_0_b_below_a_value_8 when map_of_all_0_c_below_a_choice_5 else (not (((map_smallest_high_0 / 32) mod
-        2) = 1)) and map_of_all_0_b_below_a_value_8;
-      map_of_all_0_c_below_a_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) or
-        map_of_all_0_b_below_a_value_10 when map_of_all_0_c_below_a_choice_6 else (not (((map_smallest_high_0 / 64) mod
-        2) = 1)) and map_of_all_0_b_below_a_value_10;
-      map_of_all_0_c_below_b_choice := not (((map_median_middle_0 / 2) mod 2) = 1) when (map_smallest_high_0 mod 2) = 1
-        else map_of_all_0_b_below_a_is_equal;
-      map_of_all_0_c_below_b_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not (((map_median_middle_0 / 2) mod 2) =
-        1)) or (not ((map_median_middle_0 mod 2) = 1)) when map_of_all_0_c_below_a_value else
-        map_of_all_0_c_below_b_choice;
-      map_of_all_0_c_below_b_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
-        map_of_all_0_b_below_a_value_3 when map_of_all_0_c_below_b_choice_2 else (not (((map_smallest_high_0 / 4) mod
-        2) = 1)) or map_of_all_0_b_below_a_value_3;
-      map_of_all_0_c_below_b_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) or
-        map_of_all_0_b_below_a_value_5 when map_of_all_0_c_below_b_choice_3 else (not (((map_smallest_high_0 / 8) mod
-        2) = 1)) and map_of_all_0_b_below_a_value_5;
-      map_of_all_0_c_below_b_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) or
-        map_of_all_0_b_below_a_value_7 when map_of_all_0_c_below_b_choice_4 else (not (((map_smallest_high_0 / 16) mod
-        2) = 1)) and map_of_all_0_b_below_a_value_7;
-      map_of_all_0_c_below_b_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) or
-        map_of_all_0_b_below_a_value_9 when map_of_all_0_c_below_b_choice_5 else (not (((map_smallest_high_0 / 32) mod
-        2) = 1)) and map_of_all_0_b_below_a_value_9;
-      map_of_all_0_c_below_b_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) or
-        map_of_all_0_b_below_a_value_11 when map_of_all_0_c_below_b_choice_6 else (not (((map_smallest_high_0 / 64) mod
-        2) = 1)) and map_of_all_0_b_below_a_value_11;
-      map_out_disparity_0_choice := map_of_all_0_c when map_of_all_0_c_below_a else map_of_all_0_a;
-      map_out_disparity_0_choice_2 := map_of_all_0_b when map_of_all_0_c_below_b else map_out_disparity_0_choice;
-      map_out_disparity_0_choice_3 := map_of_all_0_c when map_of_all_0_c_below_b else map_of_all_0_b;
-      map_out_disparity_0_choice_4 := map_of_all_0_a when map_of_all_0_c_below_a else map_out_disparity_0_choice_3;
-      map_counter_group <= map_counter_group_choice * 128 when other_0 and ((other_4 mod 2) = 1) else
-        map_counter_group_choice_3;
+      if (map_smallest_high_0 mod 2) = 1 then
+        map_of_all_0_c_below_a_choice := not map_of_all_0_b_below_a_value;
+      else
+        map_of_all_0_c_below_a_choice := (map_largest_low_0 mod 4) = 0;
+      end if;
+      if map_of_all_0_c_below_a_value then
+        map_of_all_0_c_below_a_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not map_of_all_0_b_below_a_value) or
+          (not ((map_largest_low_0 mod 2) = 1));
+      else
+        map_of_all_0_c_below_a_choice_2 := map_of_all_0_c_below_a_choice;
+      end if;
+      if map_of_all_0_c_below_a_choice_2 then
+        map_of_all_0_c_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+          map_of_all_0_b_below_a_value_2;
+      else
+        map_of_all_0_c_below_a_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) or
+          map_of_all_0_b_below_a_value_2;
+      end if;
+      if map_of_all_0_c_below_a_choice_3 then
+        map_of_all_0_c_below_a_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) or
+          map_of_all_0_b_below_a_value_4;
+      else
+        map_of_all_0_c_below_a_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) and
+          map_of_all_0_b_below_a_value_4;
+      end if;
+      if map_of_all_0_c_below_a_choice_4 then
+        map_of_all_0_c_below_a_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) or
+          map_of_all_0_b_below_a_value_6;
+      else
+        map_of_all_0_c_below_a_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) and
+          map_of_all_0_b_below_a_value_6;
+      end if;
+      if map_of_all_0_c_below_a_choice_5 then
+        map_of_all_0_c_below_a_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) or
+          map_of_all_0_b_below_a_value_8;
+      else
+        map_of_all_0_c_below_a_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) and
+          map_of_all_0_b_below_a_value_8;
+      end if;
+      if map_of_all_0_c_below_a_choice_6 then
+        map_of_all_0_c_below_a_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) or
+          map_of_all_0_b_below_a_value_10;
+      else
+        map_of_all_0_c_below_a_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) and
+          map_of_all_0_b_below_a_value_10;
+      end if;
+      if (map_smallest_high_0 mod 2) = 1 then
+        map_of_all_0_c_below_b_choice := not (((map_median_middle_0 / 2) mod 2) = 1);
+      else
+        map_of_all_0_c_below_b_choice := map_of_all_0_b_below_a_is_equal;
+      end if;
+      if map_of_all_0_c_below_a_value then
+        map_of_all_0_c_below_b_choice_2 := ((map_smallest_high_0 mod 2) = 1) or (not (((map_median_middle_0 / 2) mod 2)
+          = 1)) or (not ((map_median_middle_0 mod 2) = 1));
+      else
+        map_of_all_0_c_below_b_choice_2 := map_of_all_0_c_below_b_choice;
+      end if;
+      if map_of_all_0_c_below_b_choice_2 then
+        map_of_all_0_c_below_b_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) and
+          map_of_all_0_b_below_a_value_3;
+      else
+        map_of_all_0_c_below_b_choice_3 := (not (((map_smallest_high_0 / 4) mod 2) = 1)) or
+          map_of_all_0_b_below_a_value_3;
+      end if;
+      if map_of_all_0_c_below_b_choice_3 then
+        map_of_all_0_c_below_b_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) or
+          map_of_all_0_b_below_a_value_5;
+      else
+        map_of_all_0_c_below_b_choice_4 := (not (((map_smallest_high_0 / 8) mod 2) = 1)) and
+          map_of_all_0_b_below_a_value_5;
+      end if;
+      if map_of_all_0_c_below_b_choice_4 then
+        map_of_all_0_c_below_b_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) or
+          map_of_all_0_b_below_a_value_7;
+      else
+        map_of_all_0_c_below_b_choice_5 := (not (((map_smallest_high_0 / 16) mod 2) = 1)) and
+          map_of_all_0_b_below_a_value_7;
+      end if;
+      if map_of_all_0_c_below_b_choice_5 then
+        map_of_all_0_c_below_b_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) or
+          map_of_all_0_b_below_a_value_9;
+      else
+        map_of_all_0_c_below_b_choice_6 := (not (((map_smallest_high_0 / 32) mod 2) = 1)) and
+          map_of_all_0_b_below_a_value_9;
+      end if;
+      if map_of_all_0_c_below_b_choice_6 then
+        map_of_all_0_c_below_b_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) or
+          map_of_all_0_b_below_a_value_11;
+      else
+        map_of_all_0_c_below_b_choice_7 := (not (((map_smallest_high_0 / 64) mod 2) = 1)) and
+          map_of_all_0_b_below_a_value_11;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice := map_of_all_0_a;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_2 := map_of_all_0_b;
+      else
+        map_out_disparity_0_choice_2 := map_out_disparity_0_choice;
+      end if;
+      if map_of_all_0_c_below_b then
+        map_out_disparity_0_choice_3 := map_of_all_0_c;
+      else
+        map_out_disparity_0_choice_3 := map_of_all_0_b;
+      end if;
+      if map_of_all_0_c_below_a then
+        map_out_disparity_0_choice_4 := map_of_all_0_a;
+      else
+        map_out_disparity_0_choice_4 := map_out_disparity_0_choice_3;
+      end if;
       map_counter_next_frame <= map_counter_next_frame_choice_4 or ((not other_0) and map_counter_next_frame);
       map_newest_0 <= (fill_out_disparity_0 * 2) + as_number(fill_out_passed_0);
       map_arrives <= other_0;
       map_behind <= map_line_ended and lastwinner4_tag_valid;
-      map_line_ended <= map_line_ended_choice when fill_out_tag_map_column else (not lastwinner4_tag_valid) and
-        map_line_ended;
       map_rows_read_newest_0 <= map_newest_0;
       map_rows_ready_words_0 <= to_integer(map_rows_read_words_0);
       map_rows_ready_newest_0 <= map_rows_read_newest_0;
@@ -15057,17 +20371,7 @@ begin
       map_at_behind <= to_integer(other_1(24 downto 24)) = 1;
       map_at_top <= to_integer(other_1(32 downto 32)) = 1;
       map_at_output <= to_integer(other_1(48 downto 48)) = 1;
-      map_of_column_0_a <= map_column_1 / 2 when map_at_top else other_2 / 2;
       map_of_column_0_b <= map_column_1 / 2;
-      map_of_column_0_c <= map_column_1 / 2 when map_read_bottom else map_column_2 / 2;
-      map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) and ((other_2 / 256) = 1) and (not map_at_top) when
-        map_of_column_0_b_below_a_choice_9 else (not ((map_column_1 / 256) = 1)) or ((other_2 / 256) = 1) or map_at_top;
-      map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_19) or map_of_column_0_c_below_a_choice_20
-        when map_of_column_0_c_below_a_choice_18 else (not map_of_column_0_c_below_a_choice_19) and
-        map_of_column_0_c_below_a_choice_20;
-      map_of_column_0_c_below_b <= (not ((map_column_2 / 256) = 1)) and ((map_column_1 / 256) = 1) and (not
-        map_read_bottom) when map_of_column_0_c_below_b_choice_6 else (not ((map_column_2 / 256) = 1)) or
-        ((map_column_1 / 256) = 1) or map_read_bottom;
       map_column_passed_0_0 <= (map_column_1 mod 2) = 1;
       map_column_passed_1_0 <= map_column_passed_0_0;
       map_comparing_column <= map_write_column;
@@ -15080,57 +20384,21 @@ begin
       map_sorted_behind <= map_comparing_behind;
       map_sorted_top <= map_comparing_top;
       map_sorted_output <= map_comparing_output;
-      map_sorted_low_0 <= map_sorted_low_0_choice when map_of_column_0_b_below_a else map_sorted_low_0_choice_2;
-      map_sorted_middle_0 <= map_sorted_middle_0_choice when map_of_column_0_b_below_a else
-        map_sorted_middle_0_choice_2;
-      map_sorted_high_0 <= map_sorted_high_0_choice when map_of_column_0_b_below_a else map_sorted_high_0_choice_2;
-      map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind when map_passed_0_0 else
-        map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
       map_window_complete <= map_sorted_output and map_window_complete_choice;
       map_window_first <= map_sorted_top and (map_sorted_column = 1) and map_sorted_arrives;
       map_window_last <= map_sorted_behind;
       map_of_low_0_a <= map_low_0_0;
       map_of_low_0_b <= map_low_1_0;
       map_of_low_0_c <= map_low_2_0;
-      map_of_low_0_b_below_a <= ((map_low_0_0 / 128) = 1) and (not ((map_low_1_0 / 128) = 1)) when
-        map_of_low_0_b_below_a_choice_7 else ((map_low_0_0 / 128) = 1) or (not ((map_low_1_0 / 128) = 1));
-      map_of_low_0_c_below_a <= (not ((map_low_2_0 / 128) = 1)) or ((map_low_0_0 / 128) = 1) when
-        map_of_low_0_c_below_a_choice_7 else (not ((map_low_2_0 / 128) = 1)) and ((map_low_0_0 / 128) = 1);
-      map_of_low_0_c_below_b <= (not ((map_low_2_0 / 128) = 1)) or ((map_low_1_0 / 128) = 1) when
-        map_of_low_0_c_below_b_choice_7 else (not ((map_low_2_0 / 128) = 1)) and ((map_low_1_0 / 128) = 1);
       map_of_middle_0_a <= map_middle_0_0;
       map_of_middle_0_b <= map_middle_1_0;
       map_of_middle_0_c <= map_middle_2_0;
-      map_of_middle_0_b_below_a <= ((map_middle_0_0 / 128) = 1) and (not ((map_middle_1_0 / 128) = 1)) when
-        map_of_middle_0_b_below_a_choice_7 else ((map_middle_0_0 / 128) = 1) or (not ((map_middle_1_0 / 128) = 1));
-      map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 128) = 1)) or ((map_middle_0_0 / 128) = 1) when
-        map_of_middle_0_c_below_a_choice_7 else (not ((map_middle_2_0 / 128) = 1)) and ((map_middle_0_0 / 128) = 1);
-      map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 128) = 1)) or ((map_middle_1_0 / 128) = 1) when
-        map_of_middle_0_c_below_b_choice_7 else (not ((map_middle_2_0 / 128) = 1)) and ((map_middle_1_0 / 128) = 1);
       map_of_high_0_a <= map_high_0_0;
       map_of_high_0_b <= map_high_1_0;
       map_of_high_0_c <= map_high_2_0;
-      map_of_high_0_b_below_a <= ((map_high_0_0 / 128) = 1) and (not ((map_high_1_0 / 128) = 1)) when
-        map_of_high_0_b_below_a_choice_7 else ((map_high_0_0 / 128) = 1) or (not ((map_high_1_0 / 128) = 1));
-      map_of_high_0_c_below_a <= (not ((map_high_2_0 / 128) = 1)) or ((map_high_0_0 / 128) = 1) when
-        map_of_high_0_c_below_a_choice_7 else (not ((map_high_2_0 / 128) = 1)) and ((map_high_0_0 / 128) = 1);
-      map_of_high_0_c_below_b <= (not ((map_high_2_0 / 128) = 1)) or ((map_high_1_0 / 128) = 1) when
-        map_of_high_0_c_below_b_choice_7 else (not ((map_high_2_0 / 128) = 1)) and ((map_high_1_0 / 128) = 1);
-      map_largest_low_0 <= map_largest_low_0_choice when map_of_low_0_b_below_a else map_largest_low_0_choice_2;
-      map_median_middle_0 <= map_median_middle_0_choice_2 when map_of_middle_0_b_below_a else
-        map_median_middle_0_choice_4;
-      map_smallest_high_0 <= map_smallest_high_0_choice when map_of_high_0_b_below_a else map_smallest_high_0_choice_2;
       map_of_all_0_a <= map_largest_low_0;
       map_of_all_0_b <= map_median_middle_0;
       map_of_all_0_c <= map_smallest_high_0;
-      map_of_all_0_b_below_a <= ((map_largest_low_0 / 128) = 1) and (not ((map_median_middle_0 / 128) = 1)) when
-        map_of_all_0_b_below_a_choice_7 else ((map_largest_low_0 / 128) = 1) or (not ((map_median_middle_0 / 128) = 1));
-      map_of_all_0_c_below_a <= (not ((map_smallest_high_0 / 128) = 1)) or ((map_largest_low_0 / 128) = 1) when
-        map_of_all_0_c_below_a_choice_7 else (not ((map_smallest_high_0 / 128) = 1)) and ((map_largest_low_0 / 128) =
-        1);
-      map_of_all_0_c_below_b <= (not ((map_smallest_high_0 / 128) = 1)) or ((map_median_middle_0 / 128) = 1) when
-        map_of_all_0_c_below_b_choice_7 else (not ((map_smallest_high_0 / 128) = 1)) and ((map_median_middle_0 / 128) =
-        1);
       map_waiting_0_complete <= map_window_complete;
       map_waiting_0_first <= map_window_first;
       map_waiting_0_last <= map_window_last;
@@ -15143,30 +20411,177 @@ begin
       map_waiting_passed_0_0 <= map_passed_1_0;
       map_waiting_passed_1_0 <= map_waiting_passed_0_0;
       map_waiting_passed_2_0 <= map_waiting_passed_1_0;
-      map_out_disparity_0 <= map_out_disparity_0_choice_2 when map_of_all_0_b_below_a else map_out_disparity_0_choice_4;
       map_out_passed_0 <= map_waiting_passed_2_0;
       map_out_valid <= map_waiting_2_complete;
       map_out_start_of_frame <= map_waiting_2_first and map_waiting_2_complete;
       map_out_end_of_line <= map_waiting_2_last and map_waiting_2_complete;
+      if other_0 and ((other_4 mod 2) = 1) then
+        map_counter_group <= map_counter_group_choice * 128;
+      else
+        map_counter_group <= map_counter_group_choice_3;
+      end if;
+      if fill_out_tag_map_column then
+        map_line_ended <= map_line_ended_choice;
+      else
+        map_line_ended <= (not lastwinner4_tag_valid) and map_line_ended;
+      end if;
+      if map_at_top then
+        map_of_column_0_a <= map_column_1 / 2;
+      else
+        map_of_column_0_a <= other_2 / 2;
+      end if;
+      if map_read_bottom then
+        map_of_column_0_c <= map_column_1 / 2;
+      else
+        map_of_column_0_c <= map_column_2 / 2;
+      end if;
+      if map_of_column_0_b_below_a_choice_9 then
+        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) and ((other_2 / 256) = 1) and (not map_at_top);
+      else
+        map_of_column_0_b_below_a <= (not ((map_column_1 / 256) = 1)) or ((other_2 / 256) = 1) or map_at_top;
+      end if;
+      if map_of_column_0_c_below_a_choice_18 then
+        map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_19) or map_of_column_0_c_below_a_choice_20;
+      else
+        map_of_column_0_c_below_a <= (not map_of_column_0_c_below_a_choice_19) and map_of_column_0_c_below_a_choice_20;
+      end if;
+      if map_of_column_0_c_below_b_choice_6 then
+        map_of_column_0_c_below_b <= (not ((map_column_2 / 256) = 1)) and ((map_column_1 / 256) = 1) and (not
+          map_read_bottom);
+      else
+        map_of_column_0_c_below_b <= (not ((map_column_2 / 256) = 1)) or ((map_column_1 / 256) = 1) or map_read_bottom;
+      end if;
+      if map_of_column_0_b_below_a then
+        map_sorted_low_0 <= map_sorted_low_0_choice;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice;
+        map_sorted_high_0 <= map_sorted_high_0_choice;
+      else
+        map_sorted_low_0 <= map_sorted_low_0_choice_2;
+        map_sorted_middle_0 <= map_sorted_middle_0_choice_2;
+        map_sorted_high_0 <= map_sorted_high_0_choice_2;
+      end if;
+      if map_passed_0_0 then
+        map_passed_1_0 <= map_passed_1_0 or map_sorted_arrives or map_sorted_behind;
+      else
+        map_passed_1_0 <= map_passed_1_0 and (not map_sorted_arrives) and (not map_sorted_behind);
+      end if;
+      if map_of_low_0_b_below_a_choice_7 then
+        map_of_low_0_b_below_a <= ((map_low_0_0 / 128) = 1) and (not ((map_low_1_0 / 128) = 1));
+      else
+        map_of_low_0_b_below_a <= ((map_low_0_0 / 128) = 1) or (not ((map_low_1_0 / 128) = 1));
+      end if;
+      if map_of_low_0_c_below_a_choice_7 then
+        map_of_low_0_c_below_a <= (not ((map_low_2_0 / 128) = 1)) or ((map_low_0_0 / 128) = 1);
+      else
+        map_of_low_0_c_below_a <= (not ((map_low_2_0 / 128) = 1)) and ((map_low_0_0 / 128) = 1);
+      end if;
+      if map_of_low_0_c_below_b_choice_7 then
+        map_of_low_0_c_below_b <= (not ((map_low_2_0 / 128) = 1)) or ((map_low_1_0 / 128) = 1);
+      else
+        map_of_low_0_c_below_b <= (not ((map_low_2_0 / 128) = 1)) and ((map_low_1_0 / 128) = 1);
+      end if;
+      if map_of_middle_0_b_below_a_choice_7 then
+        map_of_middle_0_b_below_a <= ((map_middle_0_0 / 128) = 1) and (not ((map_middle_1_0 / 128) = 1));
+      else
+        map_of_middle_0_b_below_a <= ((map_middle_0_0 / 128) = 1) or (not ((map_middle_1_0 / 128) = 1));
+      end if;
+      if map_of_middle_0_c_below_a_choice_7 then
+        map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 128) = 1)) or ((map_middle_0_0 / 128) = 1);
+      else
+        map_of_middle_0_c_below_a <= (not ((map_middle_2_0 / 128) = 1)) and ((map_middle_0_0 / 128) = 1);
+      end if;
+      if map_of_middle_0_c_below_b_choice_7 then
+        map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 128) = 1)) or ((map_middle_1_0 / 128) = 1);
+      else
+        map_of_middle_0_c_below_b <= (not ((map_middle_2_0 / 128) = 1)) and ((map_middle_1_0 / 128) = 1);
+      end if;
+      if map_of_high_0_b_below_a_choice_7 then
+        map_of_high_0_b_below_a <= ((map_high_0_0 / 128) = 1) and (not ((map_high_1_0 / 128) = 1));
+      else
+        map_of_high_0_b_below_a <= ((map_high_0_0 / 128) = 1) or (not ((map_high_1_0 / 128) = 1));
+      end if;
+      if map_of_high_0_c_below_a_choice_7 then
+        map_of_high_0_c_below_a <= (not ((map_high_2_0 / 128) = 1)) or ((map_high_0_0 / 128) = 1);
+      else
+        map_of_high_0_c_below_a <= (not ((map_high_2_0 / 128) = 1)) and ((map_high_0_0 / 128) = 1);
+      end if;
+      if map_of_high_0_c_below_b_choice_7 then
+        map_of_high_0_c_below_b <= (not ((map_high_2_0 / 128) = 1)) or ((map_high_1_0 / 128) = 1);
+      else
+        map_of_high_0_c_below_b <= (not ((map_high_2_0 / 128) = 1)) and ((map_high_1_0 / 128) = 1);
+      end if;
+      if map_of_low_0_b_below_a then
+        map_largest_low_0 <= map_largest_low_0_choice;
+      else
+        map_largest_low_0 <= map_largest_low_0_choice_2;
+      end if;
+      if map_of_middle_0_b_below_a then
+        map_median_middle_0 <= map_median_middle_0_choice_2;
+      else
+        map_median_middle_0 <= map_median_middle_0_choice_4;
+      end if;
+      if map_of_high_0_b_below_a then
+        map_smallest_high_0 <= map_smallest_high_0_choice;
+      else
+        map_smallest_high_0 <= map_smallest_high_0_choice_2;
+      end if;
+      if map_of_all_0_b_below_a_choice_7 then
+        map_of_all_0_b_below_a <= ((map_largest_low_0 / 128) = 1) and (not ((map_median_middle_0 / 128) = 1));
+      else
+        map_of_all_0_b_below_a <= ((map_largest_low_0 / 128) = 1) or (not ((map_median_middle_0 / 128) = 1));
+      end if;
+      if map_of_all_0_c_below_a_choice_7 then
+        map_of_all_0_c_below_a <= (not ((map_smallest_high_0 / 128) = 1)) or ((map_largest_low_0 / 128) = 1);
+      else
+        map_of_all_0_c_below_a <= (not ((map_smallest_high_0 / 128) = 1)) and ((map_largest_low_0 / 128) = 1);
+      end if;
+      if map_of_all_0_c_below_b_choice_7 then
+        map_of_all_0_c_below_b <= (not ((map_smallest_high_0 / 128) = 1)) or ((map_median_middle_0 / 128) = 1);
+      else
+        map_of_all_0_c_below_b <= (not ((map_smallest_high_0 / 128) = 1)) and ((map_median_middle_0 / 128) = 1);
+      end if;
+      if map_of_all_0_b_below_a then
+        map_out_disparity_0 <= map_out_disparity_0_choice_2;
+      else
+        map_out_disparity_0 <= map_out_disparity_0_choice_4;
+      end if;
       if map_at_arrives_value then
         map_rows_write_words_0 <= (map_rows_ready_words_0 / 512) + (map_rows_ready_newest_0 * 512);
         map_at_column <= to_integer(other_1(10 downto 0));
       end if;
-      map_low_0_0_choice := map_low_0_0 when map_sorted_behind else map_sorted_low_0;
+      if map_sorted_behind then
+        map_low_0_0_choice := map_low_0_0;
+      else
+        map_low_0_0_choice := map_sorted_low_0;
+      end if;
       map_low_1_0_all := map_window_complete_is_equal and map_sorted_arrives;
-      map_middle_0_0_choice := map_middle_0_0 when map_sorted_behind else map_sorted_middle_0;
-      map_high_0_0_choice := map_high_0_0 when map_sorted_behind else map_sorted_high_0;
+      if map_sorted_behind then
+        map_middle_0_0_choice := map_middle_0_0;
+      else
+        map_middle_0_0_choice := map_sorted_middle_0;
+      end if;
+      if map_sorted_behind then
+        map_high_0_0_choice := map_high_0_0;
+      else
+        map_high_0_0_choice := map_sorted_high_0;
+      end if;
       map_low_0_0_all := (not map_sorted_arrives) and (not map_sorted_behind);
       if not map_low_0_0_all then
         map_low_0_0 <= map_low_0_0_choice;
-        map_low_1_0 <= map_low_0_0_choice when map_low_1_0_all else map_low_0_0;
         map_low_2_0 <= map_low_1_0;
         map_middle_0_0 <= map_middle_0_0_choice;
-        map_middle_1_0 <= map_middle_0_0_choice when map_low_1_0_all else map_middle_0_0;
         map_middle_2_0 <= map_middle_1_0;
         map_high_0_0 <= map_high_0_0_choice;
-        map_high_1_0 <= map_high_0_0_choice when map_low_1_0_all else map_high_0_0;
         map_high_2_0 <= map_high_1_0;
+        if map_low_1_0_all then
+          map_low_1_0 <= map_low_0_0_choice;
+          map_middle_1_0 <= map_middle_0_0_choice;
+          map_high_1_0 <= map_high_0_0_choice;
+        else
+          map_low_1_0 <= map_low_0_0;
+          map_middle_1_0 <= map_middle_0_0;
+          map_high_1_0 <= map_high_0_0;
+        end if;
       end if;
       if map_sorted_arrives then
         map_passed_0_0 <= map_column_passed_1_0;

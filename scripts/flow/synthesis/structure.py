@@ -15,6 +15,8 @@ from ..base.errors import FlowError
 
 _TOKEN = re.compile(r"--[^\n]*|\s+|(:=|<=|>=|/=|=>|\*\*|'[01]'|\"[^\"]*\"|\w+|.)")
 Words = list[str]
+_CARRIED = ("read_enable", "read_address", "write_address")  # ports of a memory cell that take a value by a signal
+_AS_BITS = re.compile(r"to_stdlogicvector\(to_bitvector\((\w+)\)\)")  # the same for every 0 and 1
 
 
 def structure_digest(vhdl: str) -> str:
@@ -26,7 +28,7 @@ class Structure:
     def __init__(self, vhdl: str) -> None:
         self.kinds: dict[str, str] = {}  # of signals and variables
         self.definitions: dict[str, Words] = {}  # what is assigned to each signal, variable or output
-        words = [match[1] for match in _TOKEN.finditer(vhdl) if match[1]]
+        words = [match[1] for match in _TOKEN.finditer(_AS_BITS.sub(r"\1", vhdl)) if match[1]]
         entity, architecture = words.index("entity"), words.index("architecture")
         self.ports = _ports(words[entity:architecture])
         declarations = words.index("signal", architecture)
@@ -78,7 +80,34 @@ class Structure:
                 self._assign(statement[0], statement[1:])
             else:  # label : entity work.cell generic map (...) port map (... read_data => name, ...)
                 made = statement[_index(statement, "read_data", "=>") + 2]
-                self._assign(made, statement[2:])
+                self._assign(made, self._cell(statement[2:]))
+
+    def _cell(self, words: Words) -> Words:
+        """A memory cell with what goes into it in place of the signals that only carry it there, and without the bits
+        of its addresses where they are what its depth needs."""
+        bits = max(1, (int(words[_index(words, "depth", "=>") + 2]) - 1).bit_length())
+        said: Words = []
+        for part in _parts(words):
+            if part == ["address_bits", "=>", str(bits)]:
+                continue
+            if part[1:2] == ["=>"] and part[0] in _CARRIED:
+                value = self._carried(part[2], bits) if len(part) == 3 else part[2:]
+                part = [*part[:2], *_plain(value)]
+            said += [*part, ","]
+        return said
+
+    def _carried(self, name: str, address_bits: int) -> Words:
+        """What is assigned to a signal that a port of a memory takes; the name where it is a register."""
+        words = self.definitions.get(name, [])
+        if words[:1] != ["<="]:
+            return [name]
+        value, kind = words[1:-1], self.kinds[name]
+        if value[0] == "to_unsigned":
+            if value[-3:] != [",", str(address_bits), ")"] or kind != f"unsigned ( {address_bits - 1} downto 0 )":
+                return [name]
+            value = value[2:-3]
+        del self.definitions[name], self.kinds[name]
+        return value
 
     def _process(self, words: Words) -> None:
         begin = words.index("begin")
@@ -94,7 +123,40 @@ class Structure:
                 open_ifs.pop()
             else:
                 path = [word for branches in open_ifs for word in branches]
-                self._assign(statement[0], [*path, *statement[1:]])
+                for branch, assignment in _branches(statement):
+                    self._assign(assignment[0], [*path, *branch, *assignment[1:]])
+
+
+def _branches(assignment: Words) -> list[tuple[Words, Words]]:
+    """(branch, assignment): `x <= a when c else b` as the if statement that says the same."""
+    if "when" not in assignment:
+        return [([], assignment)]
+    when, otherwise = assignment.index("when"), assignment.index("else")
+    test = ["if", *assignment[when + 1 : otherwise], "then"]
+    return [(test, assignment[:when]), ([*test, "else"], [*assignment[:2], *assignment[otherwise + 1 :]])]
+
+
+def _parts(words: Words) -> Iterator[Words]:
+    """The lists of a cell's generics and ports, between their commas."""
+    part: Words = []
+    depth = 0
+    for word in words:
+        depth += {"(": 1, ")": -1}.get(word, 0)
+        if word == "," and depth == 1 or word == "(" and depth == 1 or word == ")" and depth == 0:
+            yield part
+            part = []
+        else:
+            part.append(word)
+
+
+def _plain(words: Words) -> Words:
+    """An expression without the parentheses around all of it."""
+    depth = 0
+    for at, word in enumerate(words):
+        depth += {"(": 1, ")": -1}.get(word, 0)
+        if depth == 0:
+            return _plain(words[1:-1]) if at == len(words) - 1 and at else words
+    return words
 
 
 def _ports(entity: Words) -> Words:

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Writes a netlist as one VHDL-2008 architecture: ports, registers, memory cells and one clocked process."""
+"""Writes a netlist as one architecture, valid as VHDL-93 and VHDL-2008: ports, registers, memory cells and one clocked process."""
+
+from __future__ import annotations
 
 from collections import Counter
 from collections.abc import ItemsView, Iterable
 
 from ...base.errors import EXIT_TOOL_FAILED, FlowError
 from .expressions import Node, walk
-from .netlist import Netlist, Register
+from .netlist import Memory, Netlist, Register
 from .reset import control_registers, memory_read_register, split_hold
 from .vhdl_frame import HELPERS, Entity
 from .vhdl_text import Names, Writer, is_wide, type_of, without_outer_parentheses
@@ -82,7 +84,7 @@ class VhdlWriter:
             for kind, names in by_type.items():
                 lines += _wrapped("  signal ", names, f" : {kind};")
         for memory in self.netlist.memories:
-            lines.append(f"  signal {memory.name}_write_data : unsigned({memory.width - 1} downto 0);")
+            lines += [f"  signal {port} : {kind};" for port, kind, _ in self._memory_inputs(memory)]
         return "\n".join(lines) + "\n"
 
     def _blocks(self) -> ItemsView[str, list[Register]]:
@@ -95,7 +97,9 @@ class VhdlWriter:
     def _ports(self) -> str:
         lines = []
         for name, node in self.netlist.inputs.items():
-            word = f"unsigned({name})" if is_wide(node) else f"to_integer(unsigned({name}))"
+            # Through bits: what a bubble brings may be neither 0 nor 1, which to_integer would warn of in every clock.
+            bits = f"to_integer(unsigned(to_stdlogicvector(to_bitvector({name}))))"
+            word = f"unsigned({name})" if is_wide(node) else bits
             value = f"{name} = '1'" if node.is_bit else word
             lines.append(f"  in_{name} <= {value};")
         for name, node in self.netlist.outputs.items():
@@ -108,24 +112,32 @@ class VhdlWriter:
     def _memories(self) -> str:
         lines: list[str] = []
         for memory in self.netlist.memories:
-            register, enable = self.reads[id(memory)]
-            for node in (memory.read_address, memory.write_address):
-                if id(node) not in self.names:
-                    raise FlowError(
-                        f"an address of memory {memory.name} does not come from a register", EXIT_TOOL_FAILED
-                    )
-            name, enabled = memory.name, "true" if enable is None else self.text.condition(enable)
+            name, bits = memory.name, _address_bits(memory)
+            lines += [f"  {port} <= {value};" for port, _, value in self._memory_inputs(memory)]
             lines += [
-                f"  {name}_write_data <= {self.text.word(memory.write_data, memory.width)};",
                 f"  {name} : entity work.line_memory",
-                f"    generic map (depth => {memory.depth}, width => {memory.width})",
+                f"    generic map (depth => {memory.depth}, width => {memory.width}, address_bits => {bits})",
                 "    port map (",
-                f"      clock => clock, read_enable => {enabled},",
-                f"      read_address => {self.text.number(memory.read_address)}, read_data => {register.name},",
-                f"      write_address => {self.text.number(memory.write_address)}, write_data => {name}_write_data);",
+                f"      clock => clock, read_enable => {name}_read_enable,",
+                f"      read_address => {name}_read_address, read_data => {self.reads[id(memory)][0].name},",
+                f"      write_address => {name}_write_address, write_data => {name}_write_data);",
                 "",
             ]
         return "\n".join(lines)
+
+    def _memory_inputs(self, memory: Memory) -> list[tuple[str, str, str]]:
+        """(signal, type, value) of what goes into a memory: VHDL-93 takes no expression in a port map."""
+        name, bits = memory.name, _address_bits(memory)
+        enable = self.reads[id(memory)][1]
+        enabled = "true" if enable is None else without_outer_parentheses(self.text.condition(enable))
+        inputs = [(f"{name}_read_enable", "boolean", enabled)]
+        for port, node in (("read_address", memory.read_address), ("write_address", memory.write_address)):
+            if id(node) not in self.names:
+                raise FlowError(f"an address of memory {name} does not come from a register", EXIT_TOOL_FAILED)
+            value = f"to_unsigned({self.text.number(node)}, {bits})"
+            inputs.append((f"{name}_{port}", f"unsigned({bits - 1} downto 0)", value))
+        word = self.text.word(memory.write_data, memory.width)
+        return [*inputs, (f"{name}_write_data", f"unsigned({memory.width - 1} downto 0)", word)]
 
     # --- the clocked process ------------------------------------------------------------------------------------------
 
@@ -181,10 +193,28 @@ class VhdlWriter:
             lines += self._variables(condition, members[0].name)
             lines.append(f"{indent}if {without_outer_parentheses(self.text.condition(condition))} then")
             indent += "  "
-        for register, value in assigned:
-            lines += _folded(f"{indent}{register.name} <= {self._choice_text(value, register.value)};")
+        lines += self._assignments("<=", [(r.name, r.value, value) for r, value in assigned], indent)
         if condition is not None:
             lines.append("      end if;")
+        return lines
+
+    def _assignments(self, sign: str, targets: list[tuple[str, Node, Node]], indent: str) -> list[str]:
+        """Of (name, what it is, its next value). Choices by the same condition share one `if`."""
+        lines: list[str] = []
+        choices: dict[str, list[tuple[str, Node, Node]]] = {}  # by the text of their condition
+        for name, target, value in targets:
+            if value.op == "mux" and id(value) not in self.names:
+                test = without_outer_parentheses(self.text.condition(value.args[0]))
+                choices.setdefault(test, []).append((name, target, value))
+            else:
+                lines += _folded(f"{indent}{name} {sign} {self._plain_text(value, target)};")
+        for test, chosen in choices.items():
+            lines += _folded(f"{indent}if {test} then")
+            for branch in (1, 2):
+                lines += [] if branch == 1 else [f"{indent}else"]
+                for name, target, value in chosen:
+                    lines += _folded(f"{indent}  {name} {sign} {self._plain_text(value.args[branch], target)};")
+            lines.append(f"{indent}end if;")
         return lines
 
     def _variables(self, root: Node, user: str) -> list[str]:
@@ -208,44 +238,10 @@ class VhdlWriter:
         name, number = base, 2
         while name in self.variables:
             name, number = f"{base}_{number}", number + 1
-        lines = self._conditional(name, node) or _folded(f"      {name} := {self._choice_text(node, node)};")
+        lines = self._assignments(":=", [(name, node, node)], "      ")
         self.variables[name] = type_of(node.low, node.high)
         self.names[id(node)] = (name, is_wide(node))
         return lines
-
-    def _has_shape_of(self, target: Node, node: Node) -> bool:
-        """Whether a node is a constant, or stands there by name with the type of the target but for its limits."""
-        if node.op == "const":
-            return True
-        if id(node) not in self.names or self.names[id(node)][1] != is_wide(target):
-            return False
-        return (node.is_bit, node.low < 0, node.width) == (target.is_bit, target.low < 0, target.width)
-
-    def _conditional(self, name: str, target: Node) -> list[str] | None:
-        """A choice of numbers as an if statement; None where a conditional assignment to a variable is safe. GHDL 2.0's
-        synthesis gives such an assignment the width of its first values: it breaks off, or leaves upper bits without a
-        value, unless these are constants or named numbers as wide as the variable."""
-        choices, node = [], target
-        while node.op == "mux" and id(node) not in self.names:
-            choices.append((node.args[0], node.args[1]))
-            node = node.args[2]
-        if target.is_bit or all(self._has_shape_of(target, value) for _, value in choices):
-            return None
-        lines: list[str] = []
-        word = "if"
-        for condition, value in choices:
-            lines += _folded(f"      {word} {without_outer_parentheses(self.text.condition(condition))} then")
-            lines += _folded(f"        {name} := {self._plain_text(value, target)};")
-            word = "elsif"
-        return [*lines, "      else", *_folded(f"        {name} := {self._plain_text(node, target)};"), "      end if;"]
-
-    def _choice_text(self, node: Node, target: Node) -> str:
-        """The right side of an assignment: multiplexers become `a when c else b`."""
-        if node.op == "mux" and id(node) not in self.names:
-            condition, yes, no = node.args
-            test = without_outer_parentheses(self.text.condition(condition))
-            return f"{self._plain_text(yes, target)} when {test} else {self._choice_text(no, target)}"
-        return self._plain_text(node, target)
 
     def _plain_text(self, node: Node, target: Node) -> str:
         """As a value of the target's type."""
@@ -254,6 +250,10 @@ class VhdlWriter:
         if is_wide(target):
             return self.text.word(node, target.width)
         return without_outer_parentheses(self.text.number(node))
+
+
+def _address_bits(memory: Memory) -> int:
+    return max(1, (memory.depth - 1).bit_length())
 
 
 def _constant(register: Register) -> str:
